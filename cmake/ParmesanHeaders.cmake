@@ -1,0 +1,12 @@
+# The target `headers` compiles every header alone: each must include what it uses.
+parmesan_sources(headers mesher/*.h fem/*.h adapt/*.h tools/*.h tests/*.h)
+set(header_sources)
+foreach(header IN LISTS headers)
+  file(RELATIVE_PATH header ${PROJECT_SOURCE_DIR} ${header})
+  file(CONFIGURE OUTPUT headers/${header}.cpp CONTENT "#include \"${header}\"\n")
+  list(APPEND header_sources ${PROJECT_BINARY_DIR}/headers/${header}.cpp)
+endforeach()
+add_library(headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
+target_link_libraries(headers PRIVATE parmesan_adapt CLI11::CLI11 Catch2::Catch2)
+target_compile_definitions(headers PRIVATE PARMESAN_SOURCE_DIR="" PARMESAN_PROGRAM="")
+parmesan_compile_options(headers)
