@@ -1,0 +1,117 @@
+#include "mesher/generate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "mesher/errors.h"
+#include "mesher/metric/complexity.h"
+#include "mesher/particles/fast_schedule.h"
+#include "mesher/particles/metric_flips.h"
+#include "mesher/particles/previous_mesh.h"
+#include "mesher/triangulation/conversion.h"
+#include "mesher/triangulation/refine.h"
+#include "mesher/triangulation/triangulate.h"
+
+namespace parmesan {
+namespace {
+
+constexpr double coarsest_vertices = 200.0;
+
+// While a mesh is made, its edges are labelled with the segment they are a part of.
+std::vector<int> segment_numbers(const Domain& domain) {
+  std::vector<int> numbers(domain.segments.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+std::vector<int> segment_labels(const Domain& domain) {
+  std::vector<int> labels;
+  for (const Segment& s : domain.segments) labels.push_back(s.label);
+  return labels;
+}
+
+void check_size(double complexity, std::int64_t max_vertices) {
+  if (!(expected_vertices(complexity) <= static_cast<double>(max_vertices))) {
+    throw LimitError("the metric asks for about " + std::to_string(std::llround(expected_vertices(complexity))) +
+                     " vertices; the limit is " + std::to_string(max_vertices));
+  }
+}
+
+// Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
+// slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
+Mesh mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double complexity,
+                    const FastScheduleOptions& effort) {
+  const int levels = std::max(
+      0, static_cast<int>(std::lround(std::log(expected_vertices(complexity) / coarsest_vertices) / std::log(4.0))));
+  const FastScheduleOptions coarse_effort{2, 2, 0, 0, effort.max_vertices};
+  Mesh mesh = outline;
+  for (int level = levels; level >= 0; --level) {
+    ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);
+    const double scale = std::pow(0.25, level);
+    if (level == levels) {
+      particles.set_level({scale, true});
+      run_fast_schedule(particles, coarse_effort);
+    }
+    particles.set_level({scale, false});
+    run_fast_schedule(particles, level == 0 ? effort : coarse_effort);
+    mesh = to_mesh(particles.mesh(), segment_numbers(domain)).mesh;
+    if (level > 0) mesh = refine_red(mesh);
+  }
+  return mesh;
+}
+
+Mesh mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh, const FastScheduleOptions& effort) {
+  ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);
+  run_fast_schedule(particles, effort);
+  return to_mesh(particles.mesh(), segment_numbers(domain)).mesh;
+}
+
+// Edges carry their segment's number while meshing; the user's label at the end.
+Mesh with_user_labels(Mesh mesh, const Domain& domain) {
+  const std::vector<int> labels = segment_labels(domain);
+  for (int& label : mesh.labels) label = labels[static_cast<std::size_t>(label)];
+  mesh.label_names = domain.label_names;
+  mesh.region_names = domain.region_names;
+  return mesh;
+}
+
+}  // namespace
+
+GenerateResult generate(const Domain& user_domain, const MetricField& field, const GenerateOptions& options,
+                        const Mesh* previous) {
+  constexpr double refine_above = 2.0;  // growth of the number of vertices
+  GenerateResult result;
+  CleanDomain cleaned = clean(user_domain);
+  const Domain& domain = cleaned.domain;
+  result.report.warnings = std::move(cleaned.repairs);
+  const FastScheduleOptions effort = fast_schedule_options(options);
+
+  std::optional<std::vector<int>> segments;
+  if (previous != nullptr) segments = match_edges_to_segments(*previous, domain);
+  if (previous != nullptr && !segments)
+    result.report.warnings.push_back("the previous mesh does not fit the geometry: started from scratch");
+
+  Mesh start = segments ? *previous : to_mesh(triangulate(domain), segment_numbers(domain)).mesh;
+  if (segments) start.labels = *segments;
+  const double complexity = integrate_complexity(start, field);
+  check_size(complexity, options.max_vertices);
+
+  if (segments) {
+    result.report.start = Start::PreviousMesh;
+    while (expected_vertices(complexity) > refine_above * start.num_vertices()) {
+      start = refine_red(start);
+      result.report.start = Start::RefinedPreviousMesh;
+    }
+    result.mesh = mesh_from_previous(domain, field, std::move(start), effort);
+  } else {
+    result.mesh = mesh_in_levels(domain, field, start, complexity, effort);
+  }
+  result.mesh = with_user_labels(std::move(result.mesh), domain);
+  result.report.complexity = complexity;
+  validate(result.mesh);
+  return result;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mesher/geometry/domain.h"
+#include "mesher/mesh.h"
+#include "mesher/metric/metric_field.h"
+
+namespace parmesan {
+
+/// How much relaxation a mesh is given.
+enum class Preset { Fast, Mid, Good };
+
+/// How generate works. Every field has a default that suits most meshes.
+struct GenerateOptions {
+  Preset preset = Preset::Mid;
+  std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
+  std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
+};
+
+/// What a mesh was started from.
+enum class Start { Scratch, PreviousMesh, RefinedPreviousMesh };
+
+/// What happened inside generate.
+struct GenerateReport {
+  Start start = Start::Scratch;
+  double complexity = 0.0;  // integral of sqrt(det M) over the mesh
+  std::vector<std::string> warnings;
+};
+
+struct GenerateResult {
+  Mesh mesh;
+  GenerateReport report;
+};
+
+/// Meshes the domain so that every edge has metric length close to 1.
+///
+/// previous: an earlier mesh of the same domain; its particles are the start when it conforms to
+/// the domain. Same input, same bits. The mesh returned has passed validate().
+///
+/// Errors: GeometryError for a domain that clean() refuses; LimitError when the integral of the
+/// metric asks for more than max_vertices; MeshingError when no valid mesh could be made.
+/// Cost: O(n).
+GenerateResult generate(const Domain& domain, const MetricField& field, const GenerateOptions& options = {},
+                        const Mesh* previous = nullptr);
+
+}  // namespace parmesan

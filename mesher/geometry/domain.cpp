@@ -1,0 +1,22 @@
+#include "mesher/geometry/domain.h"
+
+#include <utility>
+
+#include "mesher/geometry/repair.h"
+
+namespace parmesan {
+
+CleanDomain clean(const Domain& domain) {
+  check_input(domain);
+  DomainRepair repair = merge_duplicate_points(domain);
+  require_extent(repair);
+  repair = drop_repeated_segments(std::move(repair));
+  require_seeds_off_points(repair);
+  repair = split_at_inner_vertices(std::move(repair));
+  refuse_crossings(repair);
+  repair = require_enclosure(std::move(repair));
+  repair = note_close_points(std::move(repair));
+  return {std::move(repair.domain), std::move(repair.repairs)};
+}
+
+}  // namespace parmesan

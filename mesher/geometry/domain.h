@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/geometry/point.h"
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// One straight piece of the boundary, or of an interior constraint, between two domain points.
+struct Segment {
+  int a = 0;
+  int b = 0;
+  int label = 0;
+};
+
+/// All triangles that can be reached from the point without crossing a segment get this region.
+struct RegionSeed {
+  Point point;
+  int region = 0;
+};
+
+/// How the inside of the domain is told from its outside.
+enum class Inside {
+  HoleSeeds,  // everything the segments enclose, but for the faces that hold a hole seed (Triangle's rule)
+  EvenOdd     // faces that an odd number of segments separates from infinity
+};
+
+/// A planar straight-line graph: what is to be meshed.
+///
+/// Every point becomes a vertex, every segment a chain of edges of the mesh. Units: L.
+struct Domain {
+  std::vector<Point> points;
+  std::vector<Segment> segments;
+  std::vector<Point> holes;
+  std::vector<RegionSeed> regions;
+  Inside inside = Inside::HoleSeeds;
+  LabelNames label_names;
+  LabelNames region_names;
+};
+
+/// A repaired copy and what was repaired, or kept though doubtful, one sentence each.
+struct CleanDomain {
+  Domain domain;
+  std::vector<std::string> repairs;
+};
+
+/// Makes a domain fit for triangulation: merges duplicate points, drops repeated and zero-length
+/// segments (the first keeps its label), splits segments at points that lie exactly on them and at
+/// overlaps. Keeps the order of points and segments. Notes free ends, and points that are under 1e-7
+/// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from 0.
+///
+/// Errors: GeometryError for coordinates that are not finite or over 1e75, indices out of range,
+/// fewer than three non-collinear points, properly crossing segments (names both and the crossing
+/// point), segments that enclose no area (names an open end), a hole or region seed on a segment.
+/// A seed outside of what the segments enclose is not looked for.
+/// Cost: O(n log n) expected.
+CleanDomain clean(const Domain& domain);
+
+/// The boundary and labelled edges of a mesh as a domain (the corners are the vertices where the
+/// boundary turns or its label changes; collinear edges of one label become one segment), with a
+/// seed in each hole and in each part of a region other than 0. Collinear is: to 16 ulp of the
+/// largest coordinate, since vertices on a slanted segment are rounded. Borders between regions
+/// that have no labelled edge become segments of label 0.
+///
+/// Indices must be in range. Errors: GeometryError for triangles that overlap (see sides_of).
+/// Cost: O(n + holes x boundary edges).
+Domain domain_of(const Mesh& mesh);
+
+}  // namespace parmesan

@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "mesher/geometry/domain.h"
+#include "mesher/geometry/hole_seeds.h"
+#include "mesher/mesh_sides.h"
+
+namespace parmesan {
+
+namespace {
+
+/// A side that separates: boundary, labelled edge, or border between two regions (label 0).
+/// Directed as the labelled edge, else with the domain to its left.
+struct Constraint {
+  int a;
+  int b;
+  int label;
+  bool is_boundary;
+};
+
+int region_of(const Mesh& mesh, int triangle) { return mesh.regions[static_cast<std::size_t>(triangle)]; }
+
+bool separates(const Mesh& mesh, const MeshSide& side) {
+  return side.edge >= 0 || side.is_boundary() || region_of(mesh, side.left) != region_of(mesh, side.right);
+}
+
+std::vector<Constraint> constraints_of(const Mesh& mesh, const std::vector<MeshSide>& sides) {
+  std::vector<Constraint> result;
+  for (const MeshSide& side : sides) {
+    if (!separates(mesh, side)) continue;
+    const bool goes_down = side.is_boundary() ? side.left < 0 : side.edge_goes_down;
+    const int label = side.edge >= 0 ? mesh.labels[static_cast<std::size_t>(side.edge)] : 0;
+    result.push_back({goes_down ? side.high : side.low, goes_down ? side.low : side.high, label, side.is_boundary()});
+  }
+  return result;
+}
+
+/// Joins constraints of one label that lie on one line into segments, between the mesh's vertices.
+class ChainJoiner {
+ public:
+  ChainJoiner(const std::vector<Point>& points, const std::vector<Constraint>& constraints)
+      : points_(points), constraints_(constraints), incident_(points.size(), {-1, -1}), is_corner_(points.size()) {
+    double largest = 0.0;
+    for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    tolerance_ = 16.0 * std::numeric_limits<double>::epsilon() * largest;
+    for (int c = 0; c < static_cast<int>(constraints.size()); ++c) {
+      add_incidence(constraint(c).a, c);
+      add_incidence(constraint(c).b, c);
+    }
+    for (int v = 0; v < static_cast<int>(points.size()); ++v) {
+      if (!is_corner(v) && !passes_straight(v)) is_corner_[index(v)] = true;
+    }
+  }
+
+  std::vector<Segment> run() {
+    std::vector<Segment> segments;
+    std::vector<bool> is_done(constraints_.size(), false);
+    for (int c = 0; c < static_cast<int>(constraints_.size()); ++c) {
+      if (is_done[index(c)] || !(is_corner(constraint(c).a) || is_corner(constraint(c).b))) continue;
+      const std::vector<int> chain = chain_from(c, is_corner(constraint(c).a));
+      for (const int k : chain) is_done[index(k)] = true;
+      append(chain, &segments);
+    }
+    return segments;
+  }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  const Constraint& constraint(int c) const { return constraints_[index(c)]; }
+  const Point& point(int v) const { return points_[index(v)]; }
+  bool is_corner(int v) const { return is_corner_[index(v)]; }
+  int other_end(int c, int v) const { return constraint(c).a == v ? constraint(c).b : constraint(c).a; }
+
+  /// A third constraint makes v a corner.
+  void add_incidence(int v, int c) {
+    auto& [first, second] = incident_[index(v)];
+    if (second >= 0) is_corner_[index(v)] = true;
+    (first < 0 ? first : second) = c;
+  }
+
+  bool is_near_line(const Point& p, const Point& a, const Point& b) const {
+    return std::abs(doubled_area(a, b, p)) <= tolerance_ * norm(b - a);
+  }
+
+  bool passes_straight(int v) const {
+    const auto [c, d] = incident_[index(v)];
+    if (c < 0 || d < 0) return false;
+    if (constraint(c).label != constraint(d).label || constraint(c).is_boundary != constraint(d).is_boundary) {
+      return false;
+    }
+    const Point& p = point(other_end(c, v));
+    const Point& q = point(other_end(d, v));
+    return is_near_line(point(v), p, q) && dot(p - point(v), q - point(v)) < 0.0;
+  }
+
+  /// The constraints from a corner, the start of c or its end, to the next corner.
+  std::vector<int> chain_from(int c, bool from_start) const {
+    std::vector<int> chain{c};
+    int v = from_start ? constraint(c).b : constraint(c).a;
+    while (!is_corner(v)) {
+      c = incident_[index(v)][0] == c ? incident_[index(v)][1] : incident_[index(v)][0];
+      chain.push_back(c);
+      v = other_end(c, v);
+    }
+    if (!from_start) std::reverse(chain.begin(), chain.end());
+    return chain;
+  }
+
+  /// One segment for the chain, or one for each of its constraints when together they bend.
+  void append(const std::vector<int>& chain, std::vector<Segment>* segments) {
+    const auto [a, b] = ends(chain);
+    bool is_straight = true;
+    for (const int c : chain) {
+      is_straight = is_straight && is_near_line(point(constraint(c).a), point(a), point(b)) &&
+                    is_near_line(point(constraint(c).b), point(a), point(b));
+    }
+    if (is_straight) {
+      segments->push_back({a, b, constraint(chain.front()).label});
+      return;
+    }
+    for (const int c : chain) {
+      segments->push_back({constraint(c).a, constraint(c).b, constraint(c).label});
+      is_corner_[index(constraint(c).a)] = is_corner_[index(constraint(c).b)] = true;
+    }
+  }
+
+  /// First and last vertex, in the direction of the chain's first constraint.
+  std::array<int, 2> ends(const std::vector<int>& chain) const {
+    if (chain.size() == 1) return {constraint(chain[0]).a, constraint(chain[0]).b};
+    const auto free_end = [this](int c, int neighbor) {
+      const int a = constraint(c).a;
+      return a == constraint(neighbor).a || a == constraint(neighbor).b ? constraint(c).b : a;
+    };
+    const int first = free_end(chain[0], chain[1]);
+    const int last = free_end(chain.back(), chain[chain.size() - 2]);
+    return first == constraint(chain[0]).a ? std::array{first, last} : std::array{last, first};
+  }
+
+  const std::vector<Point>& points_;
+  const std::vector<Constraint>& constraints_;
+  std::vector<std::array<int, 2>> incident_;  // two constraints at each vertex
+  std::vector<bool> is_corner_;
+  double tolerance_ = 0.0;
+};
+
+/// One seed in each part that the separating sides enclose and whose region is not 0: the centroid
+/// of its largest triangle.
+std::vector<RegionSeed> region_seeds(const Mesh& mesh, const std::vector<MeshSide>& sides) {
+  std::vector<int> parent(mesh.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const auto root = [&parent, &at](int t) {
+    while (parent[at(t)] != t) t = parent[at(t)] = parent[at(parent[at(t)])];
+    return t;
+  };
+  for (const MeshSide& side : sides) {
+    if (!separates(mesh, side)) parent[at(root(side.left))] = root(side.right);
+  }
+  std::vector<double> largest(mesh.triangles.size(), 0.0);
+  std::vector<Point> centroid(mesh.triangles.size());
+  for (int t = 0; t < mesh.num_triangles(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[at(t)];
+    const double area = doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
+    const std::size_t part = at(root(t));
+    if (area <= largest[part]) continue;
+    largest[part] = area;
+    centroid[part] = (1.0 / 3.0) * (mesh.points[at(a)] + mesh.points[at(b)] + mesh.points[at(c)]);
+  }
+  std::vector<RegionSeed> seeds;
+  for (int t = 0; t < mesh.num_triangles(); ++t) {
+    if (parent[at(t)] == t && region_of(mesh, t) != 0) seeds.push_back({centroid[at(t)], region_of(mesh, t)});
+  }
+  return seeds;
+}
+
+/// Keeps the points that segments use, in their order, and renumbers the segments.
+void compact_points(const std::vector<Point>& points, Domain* domain) {
+  std::vector<int> renumbered(points.size(), -1);
+  for (const Segment& s : domain->segments) {
+    for (const int v : {s.a, s.b}) renumbered[static_cast<std::size_t>(v)] = 0;
+  }
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (renumbered[v] < 0) continue;
+    renumbered[v] = static_cast<int>(domain->points.size());
+    domain->points.push_back(points[v]);
+  }
+  for (Segment& s : domain->segments) {
+    s.a = renumbered[static_cast<std::size_t>(s.a)];
+    s.b = renumbered[static_cast<std::size_t>(s.b)];
+  }
+}
+
+}  // namespace
+
+Domain domain_of(const Mesh& mesh) {
+  const std::vector<MeshSide> sides = sides_of(mesh);
+  const std::vector<Constraint> constraints = constraints_of(mesh, sides);
+  std::vector<std::array<int, 2>> boundary;
+  for (const Constraint& c : constraints) {
+    if (c.is_boundary) boundary.push_back({c.a, c.b});
+  }
+  Domain domain;
+  domain.segments = ChainJoiner(mesh.points, constraints).run();
+  compact_points(mesh.points, &domain);
+  domain.holes = hole_seeds(mesh.points, boundary);
+  domain.regions = region_seeds(mesh, sides);
+  domain.label_names = mesh.label_names;
+  domain.region_names = mesh.region_names;
+  return domain;
+}
+
+}  // namespace parmesan

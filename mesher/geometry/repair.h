@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesher/geometry/domain.h"
+
+namespace parmesan {
+
+/// A domain under repair. The sources are the numbers that the user gave its points and segments,
+/// which messages use. The stages below take it and return it repaired; clean() calls them in the
+/// order in which they stand here.
+struct DomainRepair {
+  Domain domain;
+  std::vector<int> point_sources;
+  std::vector<int> segment_sources;
+  std::vector<std::string> repairs;
+
+  const Point& point(int i) const { return domain.points[static_cast<std::size_t>(i)]; }
+  const Segment& segment(int s) const { return domain.segments[static_cast<std::size_t>(s)]; }
+  int source_point(int i) const { return point_sources[static_cast<std::size_t>(i)]; }
+  int source_segment(int s) const { return segment_sources[static_cast<std::size_t>(s)]; }
+
+  /// Adds "merged 7 duplicate points: a, b, c, d, e, and 2 more", or nothing without items.
+  void note(std::string_view verb, std::string_view noun, const std::vector<std::string>& items);
+};
+
+/// Errors: GeometryError for indices out of range, coordinates that are not finite or over 1e75.
+void check_input(const Domain& domain);
+
+/// Equal points become the first of them; the order of the others stays.
+DomainRepair merge_duplicate_points(const Domain& domain);
+
+/// Errors: GeometryError for fewer than three points or all on one line; for a diameter under 1e-75.
+void require_extent(const DomainRepair& repair);
+
+/// Drops segments of no length, and those that join the same points as an earlier one.
+DomainRepair drop_repeated_segments(DomainRepair repair);
+
+/// Errors: GeometryError for a seed at a point.
+void require_seeds_off_points(const DomainRepair& repair);
+
+/// Replaces each segment that has points inside by the chain through them.
+/// Errors: GeometryError for a seed on a segment.
+DomainRepair split_at_inner_vertices(DomainRepair repair);
+
+/// Errors: GeometryError for segments that cross, with both and the point.
+void refuse_crossings(const DomainRepair& repair);
+
+/// Notes chains that end freely. Errors: GeometryError, with an open end, when nothing is enclosed.
+DomainRepair require_enclosure(DomainRepair repair);
+
+/// Notes the two nearest points if they are under 1e-7 of the diameter or 16 ulp apart.
+DomainRepair note_close_points(DomainRepair repair);
+
+/// Decimal number, for doubles the shortest that reads back as the same.
+std::string text(int value);
+std::string text(double value);
+std::string text(const Point& p);  // "(x, y)"
+
+}  // namespace parmesan

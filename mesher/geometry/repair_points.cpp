@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/closest_pair.h"
+#include "mesher/geometry/predicates.h"
+#include "mesher/geometry/repair.h"
+
+namespace parmesan {
+
+namespace {
+
+// Beyond these the products of the mesher could over- or underflow.
+constexpr double max_coordinate = 1e75;
+constexpr double min_diameter = 1e-75;
+
+constexpr double close_share_of_diameter = 1e-7;
+constexpr double close_in_ulps = 16.0;
+
+void check_coordinates(const Point& p, const std::string& what, int index) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+    throw GeometryError(what + " " + text(index) + " has a coordinate that is not finite: " + text(p), {index});
+  }
+  if (std::max(std::abs(p.x), std::abs(p.y)) > max_coordinate) {
+    throw GeometryError(what + " " + text(index) + " is at " + text(p) + "; coordinates may reach " +
+                            text(max_coordinate) + ": scale the domain",
+                        {index});
+  }
+}
+
+void check_end(int v, int num_points, int segment) {
+  if (v >= 0 && v < num_points) return;
+  throw GeometryError("segment " + text(segment) + " refers to point " + text(v) + "; the " + text(num_points) +
+                          " points are numbered from 0",
+                      {segment});
+}
+
+bool comes_first(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+/// For each point the lowest index of a point equal to it.
+std::vector<int> first_equals(const std::vector<Point>& points) {
+  const auto at = [&points](int i) -> const Point& { return points[static_cast<std::size_t>(i)]; };
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&at](int i, int j) { return at(i) == at(j) ? i < j : comes_first(at(i), at(j)); });
+  std::vector<int> result(points.size());
+  int first = -1;
+  for (const int i : order) {
+    if (first < 0 || at(first) != at(i)) first = i;
+    result[static_cast<std::size_t>(i)] = first;
+  }
+  return result;
+}
+
+struct Extent {
+  double diameter;
+  double largest_coordinate;
+};
+
+Extent extent_of(const std::vector<Point>& points) {
+  Point low = points[0];
+  Point high = points[0];
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return {std::hypot(high.x - low.x, high.y - low.y),
+          std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)})};
+}
+
+}  // namespace
+
+std::string text(int value) { return std::to_string(value); }
+
+std::string text(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string text(const Point& p) { return "(" + text(p.x) + ", " + text(p.y) + ")"; }
+
+void DomainRepair::note(std::string_view verb, std::string_view noun, const std::vector<std::string>& items) {
+  constexpr std::size_t max_shown = 5;
+  if (items.empty()) return;
+  std::string result = std::string(verb) + " " + std::to_string(items.size()) + " " + std::string(noun);
+  if (items.size() != 1) result += "s";
+  for (std::size_t i = 0; i < std::min(items.size(), max_shown); ++i) result += (i == 0 ? ": " : ", ") + items[i];
+  if (items.size() > max_shown) result += ", and " + std::to_string(items.size() - max_shown) + " more";
+  repairs.push_back(std::move(result));
+}
+
+void check_input(const Domain& domain) {
+  int index = 0;
+  for (const Point& p : domain.points) check_coordinates(p, "point", index++);
+  index = 0;
+  for (const Point& p : domain.holes) check_coordinates(p, "hole seed", index++);
+  index = 0;
+  for (const RegionSeed& seed : domain.regions) check_coordinates(seed.point, "region seed", index++);
+  index = 0;
+  for (const Segment& s : domain.segments) {
+    check_end(s.a, static_cast<int>(domain.points.size()), index);
+    check_end(s.b, static_cast<int>(domain.points.size()), index++);
+  }
+}
+
+DomainRepair merge_duplicate_points(const Domain& domain) {
+  DomainRepair repair{.domain = domain, .point_sources = {}, .segment_sources = {}, .repairs = {}};
+  repair.domain.points.clear();
+  const std::vector<int> first = first_equals(domain.points);
+  std::vector<int> renumbered(domain.points.size());
+  std::vector<std::string> merged;
+  for (std::size_t i = 0; i < domain.points.size(); ++i) {
+    if (first[i] == static_cast<int>(i)) {
+      renumbered[i] = static_cast<int>(repair.domain.points.size());
+      repair.domain.points.push_back(domain.points[i]);
+      repair.point_sources.push_back(first[i]);
+    } else {
+      renumbered[i] = renumbered[static_cast<std::size_t>(first[i])];
+      merged.push_back(text(static_cast<int>(i)) + " into " + text(first[i]));
+    }
+  }
+  for (Segment& s : repair.domain.segments) {
+    s.a = renumbered[static_cast<std::size_t>(s.a)];
+    s.b = renumbered[static_cast<std::size_t>(s.b)];
+  }
+  repair.segment_sources.resize(domain.segments.size());
+  std::iota(repair.segment_sources.begin(), repair.segment_sources.end(), 0);
+  repair.note("merged", "duplicate point", merged);
+  return repair;
+}
+
+void require_extent(const DomainRepair& repair) {
+  const std::vector<Point>& points = repair.domain.points;
+  if (points.size() < 3) {
+    throw GeometryError("a domain needs at least 3 different points; there are " + std::to_string(points.size()));
+  }
+  const auto is_off_line = [&points](const Point& p) { return orient2d(points[0], points[1], p) != 0.0; };
+  if (std::none_of(points.begin() + 2, points.end(), is_off_line)) {
+    throw GeometryError("all " + std::to_string(points.size()) + " points lie on the line through " + text(points[0]) +
+                        " and " + text(points[1]) + ", so the domain has no area");
+  }
+  const double diameter = extent_of(points).diameter;
+  if (diameter < min_diameter) {
+    throw GeometryError("the domain's diameter is " + text(diameter) + "; it must be at least " + text(min_diameter) +
+                        ": scale the domain");
+  }
+}
+
+void require_seeds_off_points(const DomainRepair& repair) {
+  std::vector<Point> points = repair.domain.points;
+  std::sort(points.begin(), points.end(), comes_first);
+  const auto check = [&points](const Point& seed, const char* kind, int index) {
+    if (!std::binary_search(points.begin(), points.end(), seed, comes_first)) return;
+    throw GeometryError(std::string(kind) + " seed " + text(index) + " lies at a point of the domain, " + text(seed) +
+                            "; move it to the inside of what it marks",
+                        {index});
+  };
+  int index = 0;
+  for (const Point& hole : repair.domain.holes) check(hole, "hole", index++);
+  index = 0;
+  for (const RegionSeed& region : repair.domain.regions) check(region.point, "region", index++);
+}
+
+DomainRepair note_close_points(DomainRepair repair) {
+  const auto [diameter, largest] = extent_of(repair.domain.points);
+  const double ulps = close_in_ulps * largest * std::numeric_limits<double>::epsilon();
+  const ClosestPair pair = closest_pair(repair.domain.points);
+  if (pair.distance >= close_share_of_diameter * diameter && pair.distance >= ulps) return repair;
+  std::string message = "kept points " + text(repair.source_point(pair.first)) + " and " +
+                        text(repair.source_point(pair.second)) + " apart, though their distance " +
+                        text(pair.distance) + " is only " + text(pair.distance / diameter) + " of the diameter";
+  if (pair.distance < ulps) message += " and near the resolution of the coordinates: subtract an offset";
+  repair.repairs.push_back(std::move(message));
+  return repair;
+}
+
+}  // namespace parmesan

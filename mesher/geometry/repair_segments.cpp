@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/repair.h"
+#include "mesher/geometry/segment_contacts.h"
+
+namespace parmesan {
+
+namespace {
+
+/// For each segment the lowest index of one that joins the same two points.
+std::vector<int> first_between_same_points(const std::vector<Segment>& segments) {
+  const auto ends = [&segments](int s) {
+    const Segment& segment = segments[static_cast<std::size_t>(s)];
+    return std::pair(std::min(segment.a, segment.b), std::max(segment.a, segment.b));
+  };
+  std::vector<int> order(segments.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&ends](int s, int t) { return ends(s) < ends(t); });
+  std::vector<int> result(segments.size());
+  int first = -1;
+  for (const int s : order) {
+    if (first < 0 || ends(first) != ends(s)) first = s;
+    result[static_cast<std::size_t>(s)] = first;
+  }
+  return result;
+}
+
+/// seed: counted through the hole seeds and then the region seeds.
+[[noreturn]] void refuse_seed(const Domain& domain, int seed, int segment) {
+  const int num_holes = static_cast<int>(domain.holes.size());
+  const int index = seed < num_holes ? seed : seed - num_holes;
+  throw GeometryError(std::string(seed < num_holes ? "hole" : "region") + " seed " + text(index) + " lies on segment " +
+                          text(segment) + "; move it to the inside of what it marks",
+                      {index});
+}
+
+std::vector<Point> points_and_seeds(const Domain& domain) {
+  std::vector<Point> points = domain.points;
+  points.insert(points.end(), domain.holes.begin(), domain.holes.end());
+  for (const RegionSeed& seed : domain.regions) points.push_back(seed.point);
+  return points;
+}
+
+/// The ends of a segment and the points inside it, in their order from a to b. On one line the
+/// order by (x, y) is the order along the line.
+std::vector<int> chain_along(const DomainRepair& repair, const Segment& segment, std::vector<int> inner) {
+  inner.push_back(segment.a);
+  inner.push_back(segment.b);
+  std::sort(inner.begin(), inner.end(), [&repair](int i, int j) {
+    const Point& p = repair.point(i);
+    const Point& q = repair.point(j);
+    return p.x < q.x || (p.x == q.x && p.y < q.y);
+  });
+  if (inner.front() != segment.a) std::reverse(inner.begin(), inner.end());
+  return inner;
+}
+
+/// The points where only one segment ends, and whether some segments enclose an area.
+struct FreeEnds {
+  std::vector<int> points;
+  bool something_enclosed = false;
+};
+
+/// Peels off segments that end freely, again and again; what is left encloses an area.
+FreeEnds free_ends(const Domain& domain) {
+  std::vector<int> degree(domain.points.size(), 0);
+  std::vector<int> incident(domain.points.size(), 0);  // exclusive or of the segments not peeled off
+  const auto toggle = [&degree, &incident](int v, int s, int change) {
+    degree[static_cast<std::size_t>(v)] += change;
+    incident[static_cast<std::size_t>(v)] ^= s;
+  };
+  int num_left = 0;
+  for (const Segment& s : domain.segments) {
+    toggle(s.a, num_left, 1);
+    toggle(s.b, num_left++, 1);
+  }
+  FreeEnds found;
+  for (int v = 0; v < static_cast<int>(degree.size()); ++v) {
+    if (degree[static_cast<std::size_t>(v)] == 1) found.points.push_back(v);
+  }
+  for (int v : found.points) {
+    for (; degree[static_cast<std::size_t>(v)] == 1; --num_left) {
+      const int s = incident[static_cast<std::size_t>(v)];
+      const auto& [a, b, label] = domain.segments[static_cast<std::size_t>(s)];
+      toggle(a, s, -1);
+      toggle(b, s, -1);
+      v = a == v ? b : a;
+    }
+  }
+  found.something_enclosed = num_left > 0;
+  return found;
+}
+
+}  // namespace
+
+DomainRepair drop_repeated_segments(DomainRepair repair) {
+  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
+  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  const std::vector<int> first = first_between_same_points(segments);
+  std::vector<std::string> points;
+  std::vector<std::string> repeated;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const std::size_t kept = static_cast<std::size_t>(first[s]);
+    if (segments[s].a == segments[s].b) {
+      points.push_back(text(sources[s]));
+    } else if (kept != s) {
+      const bool same = segments[s].label == segments[kept].label;
+      repeated.push_back(
+          text(sources[s]) + " lies on " + text(sources[kept]) +
+          (same ? "" : ", whose label " + text(segments[kept].label) + " beats " + text(segments[s].label)));
+    } else {
+      repair.domain.segments.push_back(segments[s]);
+      repair.segment_sources.push_back(sources[s]);
+    }
+  }
+  repair.note("dropped", "zero-length segment", points);
+  repair.note("dropped", "repeated segment", repeated);
+  return repair;
+}
+
+DomainRepair split_at_inner_vertices(DomainRepair repair) {
+  const int num_points = static_cast<int>(repair.domain.points.size());
+  const std::vector<std::array<int, 2>> contacts =
+      points_inside_segments(points_and_seeds(repair.domain), repair.domain.segments);
+  if (contacts.empty()) return repair;
+  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
+  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  std::vector<std::string> split;
+  auto contact = contacts.begin();
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    std::vector<int> inner;
+    for (; contact != contacts.end() && (*contact)[0] == static_cast<int>(s); ++contact) {
+      const int v = (*contact)[1];
+      if (v >= num_points) refuse_seed(repair.domain, v - num_points, sources[s]);
+      inner.push_back(v);
+      split.push_back(text(sources[s]) + " at point " + text(repair.source_point(v)));
+    }
+    const std::vector<int> chain = chain_along(repair, segments[s], std::move(inner));
+    for (std::size_t k = 1; k < chain.size(); ++k) {
+      repair.domain.segments.push_back({chain[k - 1], chain[k], segments[s].label});
+      repair.segment_sources.push_back(sources[s]);
+    }
+  }
+  repair.note("made", "split of segments", split);
+  return drop_repeated_segments(std::move(repair));
+}
+
+void refuse_crossings(const DomainRepair& repair) {
+  const std::vector<std::array<int, 2>> crossings = segment_crossings(repair.domain.points, repair.domain.segments);
+  if (crossings.empty()) return;
+  const auto [s, t] = crossings.front();
+  const auto [a, b, s_label] = repair.segment(s);
+  const auto [c, d, t_label] = repair.segment(t);
+  throw GeometryError("segments " + text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) +
+                          " cross at " +
+                          text(crossing_point(repair.point(a), repair.point(b), repair.point(c), repair.point(d))) +
+                          "; split both there or move one",
+                      {repair.source_segment(s), repair.source_segment(t)});
+}
+
+DomainRepair require_enclosure(DomainRepair repair) {
+  if (repair.domain.segments.empty()) throw GeometryError("the domain has no segments, so nothing encloses an area");
+  const FreeEnds found = free_ends(repair.domain);
+  if (!found.something_enclosed) {
+    const int end = found.points.front();
+    throw GeometryError("the segments enclose no area: the boundary is open at point " +
+                            text(repair.source_point(end)) + " " + text(repair.point(end)) + "; close it",
+                        {repair.source_point(end)});
+  }
+  std::vector<std::string> names;
+  for (const int v : found.points) names.push_back("point " + text(repair.source_point(v)));
+  repair.note("kept as inner constraints the chains at", "free end", names);
+  return repair;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,135 @@
+#include <cassert>
+#include <utility>
+
+#include "mesher/io/medit.h"
+#include "mesher/io/medit_keywords.h"
+#include "mesher/io/output_file.h"
+#include "mesher/io/text.h"
+
+namespace parmesan {
+namespace {
+
+/// The sections of a Medit mesh may come in any order: those that need another one first are
+/// bookmarked and read at the end.
+class MeditMeshReader {
+ public:
+  MeditMeshReader(std::string_view text, const std::string& name) : in_(text, name) {}
+
+  Mesh read() {
+    read_medit_version(in_);
+    for (std::string keyword = read_medit_keyword(in_); keyword != "end"; keyword = read_medit_keyword(in_)) {
+      read_section(keyword);
+    }
+    if (dimension_ == 0) in_.fail("the keyword Dimension is missing");
+    if (vertices_.state == State::Missing) in_.fail("the keyword Vertices is missing");
+    if (vertices_.state == State::Bookmarked) read_vertices(vertices_.start);
+    if (edges_.state == State::Bookmarked) read_edges(edges_.start);
+    if (triangles_.state == State::Bookmarked) read_triangles(triangles_.start);
+    return std::move(mesh_);
+  }
+
+ private:
+  enum class State { Missing, Bookmarked, Read };
+  struct Section {
+    State state = State::Missing;
+    TextReader start;
+  };
+
+  void read_section(const std::string& keyword) {
+    if (keyword == "dimension") {
+      dimension_ = read_medit_dimension(in_);
+    } else if (keyword == "vertices") {
+      if (starts(vertices_, dimension_ != 0)) read_vertices(in_);
+    } else if (keyword == "edges") {
+      if (starts(edges_, vertices_.state == State::Read)) read_edges(in_);
+    } else if (keyword == "triangles") {
+      if (starts(triangles_, vertices_.state == State::Read)) read_triangles(in_);
+    } else {
+      const bool elements = keyword == "quadrilaterals" || keyword == "tetrahedra" || keyword == "hexahedra";
+      if (elements && in_.count("the number of elements", 1) > 0) in_.fail("has elements that are not triangles");
+      in_.skip_to_keyword();
+    }
+  }
+
+  /// Whether the section is to be read at once; bookmarks and skips it otherwise.
+  bool starts(Section& section, bool can_be_read) {
+    if (section.state != State::Missing) in_.fail("the same keyword a second time");
+    section = {can_be_read ? State::Read : State::Bookmarked, in_};
+    if (!can_be_read) in_.skip_to_keyword();
+    return can_be_read;
+  }
+
+  void read_vertices(TextReader& in) {
+    mesh_.points.resize(static_cast<std::size_t>(in.count("the number of vertices", dimension_ + 1)));
+    for (Point& point : mesh_.points) {
+      point.x = in.real("the x coordinate");
+      point.y = in.real("the y coordinate");
+      if (dimension_ == 3 && in.real("the z coordinate") != 0.0) in.fail("z is not 0: the mesh must lie in the plane");
+      in.integer("the vertex reference");
+    }
+  }
+
+  void read_edges(TextReader& in) {
+    const auto n = static_cast<std::size_t>(in.count("the number of edges", 3));
+    mesh_.edges.resize(n);
+    mesh_.labels.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (int& vertex : mesh_.edges[i]) vertex = in.index("the vertex of an edge", 1, mesh_.num_vertices());
+      mesh_.labels[i] = in.integer("the edge reference");
+    }
+  }
+
+  void read_triangles(TextReader& in) {
+    const auto n = static_cast<std::size_t>(in.count("the number of triangles", 4));
+    mesh_.triangles.resize(n);
+    mesh_.regions.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (int& vertex : mesh_.triangles[i]) vertex = in.index("the vertex of a triangle", 1, mesh_.num_vertices());
+      mesh_.regions[i] = in.integer("the triangle reference");
+    }
+  }
+
+  TextReader in_;
+  Section vertices_{State::Missing, in_};
+  Section edges_{State::Missing, in_};
+  Section triangles_{State::Missing, in_};
+  int dimension_ = 0;
+  Mesh mesh_;
+};
+
+void write_edges(OutputFile& out, const Mesh& mesh) {
+  if (mesh.edges.empty()) return;
+  out << "Edges\n" << mesh.edges.size() << '\n';
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    for (const int vertex : mesh.edges[i]) out << vertex + 1 << ' ';
+    out << mesh.labels[i] << '\n';
+  }
+}
+
+void write_triangles(OutputFile& out, const Mesh& mesh) {
+  if (mesh.triangles.empty()) return;
+  out << "Triangles\n" << mesh.triangles.size() << '\n';
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (const int vertex : mesh.triangles[i]) out << vertex + 1 << ' ';
+    out << mesh.regions[i] << '\n';
+  }
+}
+
+}  // namespace
+
+Mesh parse_medit(std::string_view text, const std::string& name) { return MeditMeshReader(text, name).read(); }
+
+Mesh read_medit(const std::string& path) { return parse_medit(read_file(path), path); }
+
+void write_medit(const std::string& path, const Mesh& mesh) {
+  assert(mesh.labels.size() == mesh.edges.size() && mesh.regions.size() == mesh.triangles.size());
+  OutputFile out(path);
+  out << "MeshVersionFormatted 2\nDimension 2\nVertices\n" << mesh.points.size() << '\n';
+  for (const Point& point : mesh.points) out << point.x << ' ' << point.y << " 0\n";
+  write_edges(out, mesh);
+  write_triangles(out, mesh);
+  out << "End\n";
+  out.commit();
+}
+
+}  // namespace parmesan

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mesher/geometry/point.h"
+
+namespace parmesan {
+
+/// Names of integer labels; a label without an entry is called by its number.
+using LabelNames = std::map<int, std::string>;
+
+/// A triangle mesh as plain arrays; the only thing fem and adapt read of the mesher.
+///
+/// Shape: points 2 x n; triangles 3 x m, counter-clockwise, with one region each;
+/// edges 2 x b with one label each. Edges are the boundary edges, the domain to their left,
+/// and the interior constraints. All indices start at 0.
+struct Mesh {
+  std::vector<Point> points;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> regions;
+  std::vector<std::array<int, 2>> edges;
+  std::vector<int> labels;
+  LabelNames label_names;
+  LabelNames region_names;
+
+  int num_vertices() const { return static_cast<int>(points.size()); }
+  int num_triangles() const { return static_cast<int>(triangles.size()); }
+  int num_edges() const { return static_cast<int>(edges.size()); }
+};
+
+/// The name of a label, or its number in decimal.
+std::string label_name(const LabelNames& names, int label);
+
+/// Throws GeometryError unless the mesh is one that can be computed on: indices in range, every
+/// triangle counter-clockwise by exact orientation, each edge shared by at most two triangles,
+/// once in each direction, the boundary covered by labelled edges, no orphan vertex, finite points.
+/// Cost: O(n).
+void validate(const Mesh& mesh);
+
+}  // namespace parmesan

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// One side of a mesh's triangles, or a labelled edge that is not such a side.
+///
+/// A triangle index is -1 where there is none; low < high are the end points.
+struct MeshSide {
+  int low = 0;
+  int high = 0;
+  int left = -1;                // triangle to the left of low -> high
+  int right = -1;               // triangle to the right of low -> high
+  int edge = -1;                // labelled edge that lies here
+  bool edge_goes_down = false;  // the labelled edge is high -> low
+
+  bool is_boundary() const { return (left < 0) != (right < 0); }
+};
+
+/// All sides, sorted by (low, high). All indices of the mesh must be in range.
+///
+/// Errors: GeometryError when two triangles have a side in the same direction (so they overlap, or
+/// three meet there), when an edge is listed twice, or is a point.
+/// Cost: O(n), a bucket sort.
+std::vector<MeshSide> sides_of(const Mesh& mesh);
+
+}  // namespace parmesan

@@ -1,0 +1,68 @@
+#include "mesher/metric/complexity.h"
+
+#include <cmath>
+#include <vector>
+
+namespace parmesan {
+namespace {
+
+struct Integrator {
+  const MetricField& field;
+  MetricHint hint = -1;
+
+  double midpoint_rule(const Point& a, const Point& b, const Point& c) {
+    return 0.5 * doubled_area(a, b, c) * field.at((1.0 / 3.0) * (a + b + c), hint).density();
+  }
+
+  double integrate(const Point& a, const Point& b, const Point& c, double coarse, int depth) {
+    constexpr int first_cuts = 3;
+    constexpr int max_depth = 16;
+    constexpr double tolerance = 0.02;
+    const Point ab = midpoint(a, b);
+    const Point bc = midpoint(b, c);
+    const Point ca = midpoint(c, a);
+    const double corner_a = midpoint_rule(a, ab, ca);
+    const double corner_b = midpoint_rule(ab, b, bc);
+    const double corner_c = midpoint_rule(ca, bc, c);
+    const double middle = midpoint_rule(ab, bc, ca);
+    const double fine = corner_a + corner_b + corner_c + middle;
+    const bool settled = std::abs(fine - coarse) <= tolerance * fine || fine < 1.0;
+    if (depth >= max_depth || (depth >= first_cuts && settled)) return fine;
+    return integrate(a, ab, ca, corner_a, depth + 1) + integrate(ab, b, bc, corner_b, depth + 1) +
+           integrate(ca, bc, c, corner_c, depth + 1) + integrate(ab, bc, ca, middle, depth + 1);
+  }
+};
+
+// Each triangle with the mean of its corners' densities.
+double integrate_by_corners(const Mesh& mesh, const MetricField& field) {
+  std::vector<double> density;
+  density.reserve(mesh.points.size());
+  MetricHint hint = -1;
+  for (const Point& p : mesh.points) density.push_back(field.at(p, hint).density());
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto i = static_cast<std::size_t>(a);
+    const auto j = static_cast<std::size_t>(b);
+    const auto k = static_cast<std::size_t>(c);
+    sum += doubled_area(mesh.points[i], mesh.points[j], mesh.points[k]) * (density[i] + density[j] + density[k]) / 6.0;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double integrate_complexity(const Mesh& mesh, const MetricField& field) {
+  constexpr std::size_t fine_mesh = 1000;
+  if (mesh.triangles.size() > fine_mesh) return integrate_by_corners(mesh, field);
+  Integrator integrator{field};
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Point& a = mesh.points[static_cast<std::size_t>(t[0])];
+    const Point& b = mesh.points[static_cast<std::size_t>(t[1])];
+    const Point& c = mesh.points[static_cast<std::size_t>(t[2])];
+    sum += integrator.integrate(a, b, c, integrator.midpoint_rule(a, b, c), 0);
+  }
+  return sum;
+}
+
+}  // namespace parmesan

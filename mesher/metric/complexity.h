@@ -1,0 +1,18 @@
+#pragma once
+
+#include "mesher/mesh.h"
+#include "mesher/metric/metric_field.h"
+
+namespace parmesan {
+
+/// Integral of sqrt(det M) of a field over a mesh: a unit mesh has 2 / sqrt3 times as many vertices.
+///
+/// A mesh of more than 1000 triangles is taken to resolve the field: its corners are sampled. The
+/// triangles of a coarser one are cut into four until the midpoint rule settles within 2 %, or they
+/// hold less than one unit cell; the first three cuts are always made. Cost: O(n + result) at worst.
+double integrate_complexity(const Mesh& mesh, const MetricField& field);
+
+/// Vertices of a unit mesh of that complexity, boundary effects aside.
+constexpr double expected_vertices(double complexity) { return 1.1547005383792515 * complexity; }
+
+}  // namespace parmesan

@@ -1,0 +1,80 @@
+#include "mesher/metric/gradation.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "mesher/errors.h"
+
+namespace parmesan {
+namespace {
+
+constexpr double relative_slack = 1e-6;
+constexpr int max_sweeps = 200;
+
+// Neighbours of every vertex in compressed rows; an interior neighbour is listed twice.
+struct VertexNeighbors {
+  std::vector<std::size_t> start;
+  std::vector<int> vertex;
+};
+
+VertexNeighbors vertex_neighbors(const Mesh& mesh) {
+  VertexNeighbors n;
+  n.start.assign(mesh.points.size() + 1, 0);
+  for (const auto& t : mesh.triangles)
+    for (const int v : t) n.start[static_cast<std::size_t>(v) + 1] += 2;
+  for (std::size_t v = 1; v < n.start.size(); ++v) n.start[v] += n.start[v - 1];
+  n.vertex.resize(n.start.back());
+  std::vector<std::size_t> fill(n.start.begin(), n.start.end() - 1);
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::size_t& next = fill[static_cast<std::size_t>(t[k])];
+      n.vertex[next++] = t[(k + 1) % 3];
+      n.vertex[next++] = t[(k + 2) % 3];
+    }
+  }
+  return n;
+}
+
+// a >= b in the sense of quadratic forms, with the slack on a.
+bool at_least(const Metric& a, const Metric& b) {
+  const SymmetricTensor difference = (1.0 + relative_slack) * a.tensor() - b.tensor();
+  return difference.xx >= 0.0 && difference.yy >= 0.0 && determinant(difference) >= 0.0;
+}
+
+}  // namespace
+
+double growth_factor(const Metric& m, const Vector& d, double beta) {
+  const double growth = 1.0 + m.length(d) * std::log(beta);
+  return 1.0 / (growth * growth);
+}
+
+Gradation limit_gradation(const Mesh& mesh, std::span<const Metric> metrics, double beta) {
+  if (!(beta > 1.0)) throw InputError("the gradation must be greater than 1, not " + std::to_string(beta));
+  if (metrics.size() != mesh.points.size()) throw InputError("gradation needs one metric per vertex");
+  const VertexNeighbors neighbors = vertex_neighbors(mesh);
+  Gradation result{{metrics.begin(), metrics.end()}, 0, false};
+  std::vector<char> active(metrics.size(), 1);
+  std::vector<char> changed(metrics.size(), 0);
+  for (int sweep = 0; sweep < max_sweeps && !result.converged; ++sweep) {
+    std::vector<char> next(metrics.size(), 0);
+    result.converged = true;
+    for (std::size_t p = 0; p < metrics.size(); ++p) {
+      if (!active[p]) continue;
+      for (std::size_t k = neighbors.start[p]; k < neighbors.start[p + 1]; ++k) {
+        const auto q = static_cast<std::size_t>(neighbors.vertex[k]);
+        const Metric& from = result.metrics[p];
+        const Metric spanned = from.scaled(growth_factor(from, mesh.points[q] - mesh.points[p], beta));
+        if (at_least(result.metrics[q], spanned)) continue;
+        result.metrics[q] = intersect(result.metrics[q], spanned);
+        next[q] = changed[q] = 1;
+        result.converged = false;
+      }
+    }
+    active.swap(next);
+  }
+  for (const char c : changed) result.num_changed += c;
+  return result;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "mesher/metric/metric.h"
+
+namespace parmesan {
+
+/// Where a metric look-up ended: the next one nearby starts there. -1: no idea.
+using MetricHint = int;
+
+/// A metric at every point of the domain: what is asked of the mesher.
+class MetricField {
+ public:
+  virtual ~MetricField() = default;
+
+  /// The metric at p. hint is read as the place to start from and updated.
+  virtual Metric at(const Point& p, MetricHint& hint) const = 0;
+
+  Metric at(const Point& p) const {
+    MetricHint hint = -1;
+    return at(p, hint);
+  }
+};
+
+/// The same metric everywhere.
+class ConstantField final : public MetricField {
+ public:
+  explicit ConstantField(const Metric& metric) : metric_(metric) {}
+  using MetricField::at;
+  Metric at(const Point&, MetricHint&) const override { return metric_; }
+
+ private:
+  Metric metric_;
+};
+
+/// A metric given by a function of the point.
+class CallableField final : public MetricField {
+ public:
+  explicit CallableField(std::function<Metric(const Point&)> function) : function_(std::move(function)) {}
+  using MetricField::at;
+  Metric at(const Point& p, MetricHint&) const override { return function_(p); }
+
+ private:
+  std::function<Metric(const Point&)> function_;
+};
+
+}  // namespace parmesan

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/particles/particle_system.h"
+
+namespace parmesan {
+
+/// Metric arc length along one domain segment, tabulated: s(t) = integral of sqrt(d^T M d) from its
+/// first point to parameter t in [0, 1].
+class SegmentMeasure {
+ public:
+  /// Adaptive quadrature of the field at the level of the particles: intervals are halved until
+  /// each is shorter than a quarter of a unit edge and its density nearly linear.
+  SegmentMeasure(const ParticleSystem& particles, const Segment& segment);
+
+  double total() const { return coordinates_.back(); }
+  double coordinate_at(double t) const;
+  double parameter_at(double s) const;
+
+ private:
+  std::vector<double> parameters_;
+  std::vector<double> coordinates_;
+};
+
+/// The 1-D rule of population and motion on segments, solved exactly: a segment of metric length L
+/// is to have the number of edges N nearest to L (in ratio), all of length L / N.
+///
+/// Thesis 3.4.1 compares one edge with its halves, and boundary particles drift by forces; here the
+/// integral of the metric gives count and places at once, so that neither oscillates.
+class Boundary {
+ public:
+  /// Measures every segment that has edges in the triangulation. Valid for one level.
+  explicit Boundary(const ParticleSystem& particles);
+
+  /// Creates and annihilates particles until each segment has its count, where the triangulation
+  /// allows it. Each edge is split at its particles' final places, each superfluous one collapsed.
+  void match_counts(ParticleSystem& particles) const;
+
+  /// Where each bound particle should go, as parameter on its segment; NaN for all others and
+  /// while counts differ. Shape: one per vertex slot.
+  std::vector<double> targets(const ParticleSystem& particles) const;
+
+ private:
+  std::vector<std::vector<SegmentMeasure>> measures_;  // none or one per domain segment
+};
+
+/// Number of edges for a segment of metric length l: n or n + 1, whichever ratio to l is nearer to 1.
+int best_edge_count(double l);
+
+}  // namespace parmesan

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "mesher/generate.h"
+#include "mesher/particles/particle_system.h"
+
+namespace parmesan {
+
+/// Effort of one meshing: how often population, connectivity and places are brought to agree.
+struct FastScheduleOptions {
+  int rounds = 3;            // of population, flips and relaxation
+  int sweeps_per_round = 3;  // force sweeps after each change of the population
+  int final_force_sweeps = 10;
+  int final_apex_sweeps = 3;
+  std::int64_t max_vertices = 10'000'000;
+};
+
+FastScheduleOptions fast_schedule_options(const GenerateOptions& options);
+
+/// Brings particles to equilibrium: every edge near metric length 1.
+///
+/// The thesis's particles, forces and population rules, rearranged for the machine: whole sweeps
+/// in the order of memory instead of random picks, motion in place with flips in a pass of their
+/// own instead of removal and reinsertion, segments by their exact 1-D rule. See
+/// mesher/README.md for the evidence. Cost: O(n) per sweep.
+void run_fast_schedule(ParticleSystem& particles, const FastScheduleOptions& options);
+
+}  // namespace parmesan

@@ -1,0 +1,73 @@
+#include "mesher/particles/metric_flips.h"
+
+#include <algorithm>
+
+#include "mesher/geometry/predicates.h"
+#include "mesher/metric/metric_length.h"
+
+namespace parmesan {
+namespace {
+
+// Both triangles of the flipped quadrilateral a, b (ends of the edge), c (left), d (right).
+bool is_flip_valid(const Point& a, const Point& b, const Point& c, const Point& d, const Metric& m) {
+  if (orient2d(d, c, a) <= 0.0 || orient2d(c, d, b) <= 0.0) return false;
+  constexpr double sliver = 0.05;
+  const double after = std::min(mean_ratio(d, c, a, m), mean_ratio(c, d, b, m));
+  if (after >= sliver) return true;
+  return after > std::min(mean_ratio(a, b, c, m), mean_ratio(b, a, d, m));
+}
+
+}  // namespace
+
+bool wants_flip(const ParticleSystem& particles, EdgeId e) {
+  const Triangulation& mesh = particles.mesh();
+  if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
+  const VertexId va = mesh.org(e);
+  const VertexId vb = mesh.dest(e);
+  const VertexId vc = mesh.dest(mesh.onext(e));
+  const VertexId vd = mesh.dest(mesh.oprev(e));
+  const Point& a = mesh.point(va);
+  const Point& b = mesh.point(vb);
+  const Point& c = mesh.point(vc);
+  const Point& d = mesh.point(vd);
+  const Metric m =
+      mean(mean(particles.metric(va), particles.metric(vb)), mean(particles.metric(vc), particles.metric(vd)));
+  const double sin_a = cross(d - a, c - a);
+  const double cos_a = dot(d - a, m.tensor() * (c - a));
+  const double sin_b = cross(c - b, d - b);
+  const double cos_b = dot(c - b, m.tensor() * (d - b));
+  constexpr double margin = 1e-10;
+  const double value = sin_a * cos_b + cos_a * sin_b;
+  if (value <= margin * (std::abs(sin_a * cos_b) + std::abs(cos_a * sin_b))) return false;
+  return is_flip_valid(a, b, c, d, m);
+}
+
+long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap) {
+  Triangulation& mesh = particles.mesh();
+  long flips = 0;
+  while (!stack.empty()) {
+    const EdgeId e = stack.back();
+    stack.pop_back();
+    if (flips >= cap || !mesh.is_alive(undirected(e)) || !wants_flip(particles, e)) continue;
+    mesh.flip(e);
+    ++flips;
+    for (const EdgeId side : {mesh.onext(e), mesh.oprev(e), mesh.onext(sym(e)), mesh.oprev(sym(e))})
+      stack.push_back(side);
+  }
+  return flips;
+}
+
+long flip_all(ParticleSystem& particles) {
+  const Triangulation& mesh = particles.mesh();
+  const long cap = 3L * mesh.size();
+  std::vector<EdgeId> stack;
+  long flips = 0;
+  for (std::int32_t q = 0; q < mesh.size(); ++q) {
+    if (!mesh.is_alive(q)) continue;
+    stack.push_back({4 * q});
+    flips += legalize(particles, stack, cap - flips);
+  }
+  return flips;
+}
+
+}  // namespace parmesan

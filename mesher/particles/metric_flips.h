@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/particles/particle_system.h"
+
+namespace parmesan {
+
+/// Should e give way to the other diagonal: the in-circle test 5.13 in the mean metric of the four
+/// vertices, with a margin against cycles. True only if e is free, both new triangles are
+/// counter-clockwise by exact orientation, and no sliver (quality under 0.05) becomes worse.
+bool wants_flip(const ParticleSystem& particles, EdgeId e);
+
+/// Flips the edges on the stack, and those that come to want it, until none does or the number
+/// of flips reaches the cap. Empties the stack. Returns the number of flips.
+long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap);
+
+/// Legalizes every edge. Cost: O(n). Returns the number of flips.
+long flip_all(ParticleSystem& particles);
+
+}  // namespace parmesan

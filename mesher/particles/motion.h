@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "mesher/particles/star.h"
+
+namespace parmesan {
+
+/// Moves v by step, halved up to four times, if the star allows it: afterwards every triangle has
+/// quality of at least 0.3, or the worst of them has become better. Returns whether it moved.
+bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step);
+
+/// What moves the free particles in a sweep.
+enum class Motion { Force, IdealApex };
+
+/// Visits every particle once, in the order of its number: free ones follow the motion, those on
+/// a segment go towards their target parameter there (see boundary.h). Connectivity stays.
+/// targets: one per vertex slot, NaN where there is none.
+void sweep(ParticleSystem& particles, Motion motion, std::span<const double> targets);
+
+}  // namespace parmesan

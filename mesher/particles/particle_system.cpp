@@ -1,0 +1,97 @@
+#include "mesher/particles/particle_system.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace parmesan {
+
+ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field)
+    : mesh_(std::move(triangulation)), domain_(&domain), field_(&field) {
+  const auto n = static_cast<std::size_t>(mesh_.num_slots());
+  metric_.resize(n);
+  hint_.assign(n, -1);
+  binding_.assign(n, free_particle);
+  bind_to_segments();
+  fix_isolated_points();
+  set_level({});
+}
+
+// A vertex that is an end of its segment is a domain point; other vertices of a segment slide on it.
+void ParticleSystem::bind_to_segments() {
+  const auto same_place = [this](int point, VertexId v) {
+    return domain_->points[static_cast<std::size_t>(point)] == mesh_.point(v);
+  };
+  for (std::int32_t q = 0; q < mesh_.size(); ++q) {
+    const EdgeId e{4 * q};
+    if (!mesh_.is_alive(q) || !mesh_.is_constrained(e)) continue;
+    const Segment& segment = domain_->segments[static_cast<std::size_t>(mesh_.segment(e))];
+    for (const VertexId v : {mesh_.org(e), mesh_.dest(e)}) {
+      Binding& b = binding_[static_cast<std::size_t>(v)];
+      if (same_place(segment.a, v) || same_place(segment.b, v)) b = fixed_particle;
+      if (b == free_particle) b = mesh_.segment(e);
+    }
+  }
+}
+
+// Domain points that no segment ends at are recognised among the vertices by their coordinates.
+void ParticleSystem::fix_isolated_points() {
+  std::vector<bool> on_segment(domain_->points.size(), false);
+  for (const Segment& s : domain_->segments)
+    on_segment[static_cast<std::size_t>(s.a)] = on_segment[static_cast<std::size_t>(s.b)] = true;
+  const auto before = [](const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  std::vector<Point> isolated;
+  for (std::size_t i = 0; i < on_segment.size(); ++i)
+    if (!on_segment[i]) isolated.push_back(domain_->points[i]);
+  if (isolated.empty()) return;
+  std::sort(isolated.begin(), isolated.end(), before);
+  for (VertexId v = 0; v < mesh_.num_slots(); ++v) {
+    if (mesh_.has_vertex(v) && std::binary_search(isolated.begin(), isolated.end(), mesh_.point(v), before))
+      binding_[static_cast<std::size_t>(v)] = fixed_particle;
+  }
+}
+
+void ParticleSystem::set_level(const Level& level) {
+  level_ = level;
+  MetricHint last = -1;
+  for (VertexId v = 0; v < mesh_.num_slots(); ++v) {
+    if (!mesh_.has_vertex(v)) continue;
+    MetricHint& hint = hint_[static_cast<std::size_t>(v)];
+    if (hint < 0) hint = last;
+    metric_[static_cast<std::size_t>(v)] = evaluate(mesh_.point(v), hint);
+    last = hint;
+  }
+}
+
+Metric ParticleSystem::evaluate(const Point& p, MetricHint& hint) const {
+  const Metric m = field_->at(p, hint);
+  if (level_.scale == 1.0 && !level_.isotropic) return m;
+  return (level_.isotropic ? m.isotropised() : m).scaled(level_.scale);
+}
+
+Metric ParticleSystem::metric_near(VertexId v, const Point& p) const {
+  MetricHint hint = hint_[static_cast<std::size_t>(v)];
+  return evaluate(p, hint);
+}
+
+void ParticleSystem::move(VertexId v, const Point& p) {
+  mesh_.set_point(v, p);
+  metric_[static_cast<std::size_t>(v)] = evaluate(p, hint_[static_cast<std::size_t>(v)]);
+}
+
+VertexId ParticleSystem::create_on_edge(EdgeId e, const Point& p) {
+  const MetricHint hint = hint_[static_cast<std::size_t>(mesh_.org(e))];
+  const Binding binding = mesh_.is_constrained(e) ? mesh_.segment(e) : free_particle;
+  const VertexId v = mesh_.split_edge(e, p);
+  const auto i = static_cast<std::size_t>(v);
+  if (i >= metric_.size()) {
+    metric_.resize(i + 1);
+    hint_.resize(i + 1);
+    binding_.resize(i + 1);
+  }
+  hint_[i] = hint;
+  binding_[i] = binding;
+  metric_[i] = evaluate(p, hint_[i]);
+  return v;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesher/geometry/domain.h"
+#include "mesher/metric/metric_field.h"
+#include "mesher/triangulation/triangulation.h"
+
+namespace parmesan {
+
+/// What binds a particle: nothing, one domain segment it slides on (its index), or a domain point.
+using Binding = std::int32_t;
+inline constexpr Binding free_particle = -1;
+inline constexpr Binding fixed_particle = -2;
+
+/// Particles, one per vertex of a triangulation of the domain, and the metric each one feels.
+///
+/// Units: positions in L, metrics in L^-2.
+class ParticleSystem {
+ public:
+  /// Takes over a triangulation whose constrained edges carry segment indices of the domain.
+  /// field and domain are referred to, not copied.
+  ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field);
+
+  Triangulation& mesh() { return mesh_; }
+  const Triangulation& mesh() const { return mesh_; }
+  const Domain& domain() const { return *domain_; }
+
+  const Metric& metric(VertexId v) const { return metric_[static_cast<std::size_t>(v)]; }
+  Binding binding(VertexId v) const { return binding_[static_cast<std::size_t>(v)]; }
+  bool is_free(VertexId v) const { return binding(v) == free_particle; }
+
+  /// Moves a particle and re-evaluates its metric. The caller has checked the star.
+  void move(VertexId v, const Point& p);
+
+  /// A new particle p in the middle of e (see Triangulation::split_edge); bound if e is constrained.
+  VertexId create_on_edge(EdgeId e, const Point& p);
+
+  /// The metric that a particle at p near v would feel.
+  Metric metric_near(VertexId v, const Point& p) const;
+
+  /// While coarser levels are meshed, the field is multiplied by this factor, and may be replaced
+  /// by its isotropic part. All metrics are re-evaluated.
+  struct Level {
+    double scale = 1.0;
+    bool isotropic = false;
+  };
+  void set_level(const Level& level);
+  const Level& level() const { return level_; }
+
+  /// Metric of the field at this level; hint as in MetricField.
+  Metric evaluate(const Point& p, MetricHint& hint) const;
+
+ private:
+  void bind_to_segments();
+  void fix_isolated_points();
+
+  Triangulation mesh_;
+  const Domain* domain_;
+  const MetricField* field_;
+  Level level_;
+  std::vector<Metric> metric_;
+  std::vector<MetricHint> hint_;
+  std::vector<Binding> binding_;
+};
+
+}  // namespace parmesan

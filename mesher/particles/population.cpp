@@ -1,0 +1,169 @@
+#include "mesher/particles/population.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "mesher/errors.h"
+#include "mesher/metric/metric_length.h"
+#include "mesher/particles/metric_flips.h"
+#include "mesher/particles/star.h"
+
+namespace parmesan {
+namespace {
+
+constexpr double min_quality_after = 0.1;  // of the triangles that a collapse stretches
+
+double triangle_area(const ParticleSystem& particles, EdgeId e) {
+  const Triangulation& mesh = particles.mesh();
+  const VertexId a = mesh.org(e);
+  const VertexId b = mesh.dest(e);
+  const VertexId c = mesh.dest(mesh.onext(e));
+  return metric_area(mesh.point(a), mesh.point(b), mesh.point(c), particles.metric(a), particles.metric(b),
+                     particles.metric(c));
+}
+
+double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
+  const Triangulation& mesh = particles.mesh();
+  return squared_length_in_mean(mesh.point(mesh.dest(e)) - mesh.point(mesh.org(e)), particles.metric(mesh.org(e)),
+                                particles.metric(mesh.dest(e)));
+}
+
+bool is_too_long(const ParticleSystem& particles, EdgeId e) {
+  constexpr double max_length = 1.2;
+  constexpr double max_area = 3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0;
+  const Triangulation& mesh = particles.mesh();
+  if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
+  if (squared_edge_length(particles, e) <= max_length * max_length) return false;
+  return triangle_area(particles, e) + triangle_area(particles, sym(e)) > max_area;
+}
+
+// The four triangles that a particle in the middle of e would make.
+double quality_of_halves(const ParticleSystem& particles, EdgeId e, const Point& p) {
+  const Triangulation& mesh = particles.mesh();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const EdgeId side : {e, sym(e)}) {
+    const Point& a = mesh.point(mesh.org(side));
+    const Point& b = mesh.point(mesh.dest(side));
+    const Point& c = mesh.point(mesh.dest(mesh.onext(side)));
+    const Metric m = mean(particles.metric(mesh.org(side)), particles.metric(mesh.dest(side)),
+                          particles.metric(mesh.dest(mesh.onext(side))));
+    smallest = std::min({smallest, mean_ratio(a, p, c, m), mean_ratio(p, b, c, m)});
+  }
+  return smallest;
+}
+
+struct LongEdge {
+  double squared_length;
+  EdgeId edge;
+  VertexId org;
+  VertexId dest;
+};
+
+std::vector<LongEdge> long_edges(const ParticleSystem& particles) {
+  const Triangulation& mesh = particles.mesh();
+  std::vector<LongEdge> found;
+  for (std::int32_t q = 0; q < mesh.size(); ++q) {
+    const EdgeId e{4 * q};
+    if (!mesh.is_alive(q) || !is_too_long(particles, e)) continue;
+    found.push_back({squared_edge_length(particles, e), e, mesh.org(e), mesh.dest(e)});
+  }
+  std::sort(found.begin(), found.end(), [](const LongEdge& a, const LongEdge& b) {
+    return a.squared_length != b.squared_length ? a.squared_length > b.squared_length : a.edge.index < b.edge.index;
+  });
+  return found;
+}
+
+}  // namespace
+
+int create_particles(ParticleSystem& particles, std::int64_t max_vertices) {
+  constexpr double min_quality_of_halves = 0.01;
+  Triangulation& mesh = particles.mesh();
+  std::vector<EdgeId> stack;
+  int created = 0;
+  for (const LongEdge& found : long_edges(particles)) {
+    const EdgeId e = found.edge;
+    const bool unchanged = mesh.org(e) == found.org && mesh.dest(e) == found.dest;
+    if (!unchanged || !is_too_long(particles, e)) continue;
+    const Point p = midpoint(mesh.point(found.org), mesh.point(found.dest));
+    if (quality_of_halves(particles, e, p) < min_quality_of_halves) continue;
+    if (mesh.num_vertices() >= max_vertices)
+      throw LimitError("the metric asks for more than " + std::to_string(max_vertices) + " vertices");
+    const VertexId v = particles.create_on_edge(e, p);
+    for_each_spoke(mesh, v, [&](EdgeId spoke) { stack.push_back(mesh.lnext(spoke)); });
+    legalize(particles, stack, 100);
+    ++created;
+  }
+  return created;
+}
+
+bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
+  Triangulation& mesh = particles.mesh();
+  Star star;
+  for (const EdgeId side : {e, sym(e)}) {
+    const VertexId v = mesh.org(side);
+    const Binding binding = particles.binding(v);
+    const bool may_go = binding == free_particle || (binding >= 0 && mesh.segment(side) == binding);
+    if (!may_go) continue;
+    star.gather(particles, v);
+    if (star.quality_after_collapse(mesh.dest(side)) < min_quality_after) continue;
+    mesh.collapse(side);
+    return true;
+  }
+  return false;
+}
+
+namespace {
+
+bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId v) {
+  constexpr double min_length = 0.7;
+  const Point& p = particles.mesh().point(v);
+  const Metric& m = particles.metric(v);
+  const auto n = static_cast<double>(star.size());
+  const double area = star.metric_area(p, m);
+  if (area * area < 3.0 * n * (n - 2.0) / 16.0) return true;
+  for (std::size_t i = 0; i < star.size(); ++i)
+    if (squared_length_in_mean(star.spoke(i).point - p, m, star.spoke(i).metric) < min_length * min_length) return true;
+  return false;
+}
+
+// The spokes of v, the shortest first.
+std::vector<LongEdge> spokes_by_length(const ParticleSystem& particles, VertexId v) {
+  std::vector<LongEdge> spokes;
+  for_each_spoke(particles.mesh(), v, [&](EdgeId e) {
+    spokes.push_back({squared_edge_length(particles, e), e, v, particles.mesh().dest(e)});
+  });
+  std::sort(spokes.begin(), spokes.end(), [](const LongEdge& a, const LongEdge& b) {
+    return a.squared_length != b.squared_length ? a.squared_length < b.squared_length : a.edge.index < b.edge.index;
+  });
+  return spokes;
+}
+
+}  // namespace
+
+int annihilate_particles(ParticleSystem& particles) {
+  constexpr std::size_t max_tries = 3;
+  Triangulation& mesh = particles.mesh();
+  Star star;
+  std::vector<EdgeId> stack;
+  int annihilated = 0;
+  for (VertexId v = 0; v < mesh.num_slots(); ++v) {
+    if (!mesh.has_vertex(v) || !particles.is_free(v)) continue;
+    star.gather(particles, v);
+    if (!is_superfluous(particles, star, v)) continue;
+    const std::vector<LongEdge> spokes = spokes_by_length(particles, v);
+    for (std::size_t i = 0; i < std::min(max_tries, spokes.size()); ++i) {
+      if (star.quality_after_collapse(spokes[i].dest) < min_quality_after) continue;
+      mesh.collapse(spokes[i].edge);
+      for_each_spoke(mesh, spokes[i].dest, [&](EdgeId e) { stack.push_back(e); });
+      legalize(particles, stack, 100);
+      ++annihilated;
+      break;
+    }
+  }
+  return annihilated;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,90 @@
+#include "mesher/particles/previous_mesh.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Edges by end point: edges_at[start[v] .. start[v + 1]).
+struct Incidence {
+  std::vector<int> start;
+  std::vector<int> edges;
+};
+
+Incidence incidence(const Mesh& mesh) {
+  Incidence result{std::vector<int>(mesh.points.size() + 1, 0), std::vector<int>(2 * mesh.edges.size())};
+  for (const auto& e : mesh.edges)
+    for (const int v : e) ++result.start[at(v) + 1];
+  for (std::size_t v = 1; v < result.start.size(); ++v) result.start[v] += result.start[v - 1];
+  std::vector<int> fill(result.start.begin(), result.start.end() - 1);
+  for (int e = 0; e < mesh.num_edges(); ++e)
+    for (const int v : mesh.edges[at(e)]) result.edges[at(fill[at(v)]++)] = e;
+  return result;
+}
+
+// Vertices on edges, to be found by their coordinates.
+class VertexFinder {
+ public:
+  explicit VertexFinder(const Mesh& mesh) : mesh_(mesh) {
+    for (const auto& e : mesh.edges) vertices_.insert(vertices_.end(), e.begin(), e.end());
+    std::sort(vertices_.begin(), vertices_.end(), [this](int a, int b) { return key(a) < key(b); });
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  }
+
+  int find(const Point& p) const {
+    const auto it = std::lower_bound(vertices_.begin(), vertices_.end(), p, [this](int v, const Point& q) {
+      return std::tuple(mesh_.points[at(v)].x, mesh_.points[at(v)].y) < std::tuple(q.x, q.y);
+    });
+    return it != vertices_.end() && mesh_.points[at(*it)] == p ? *it : -1;
+  }
+
+ private:
+  std::tuple<double, double, int> key(int v) const { return {mesh_.points[at(v)].x, mesh_.points[at(v)].y, v}; }
+
+  const Mesh& mesh_;
+  std::vector<int> vertices_;
+};
+
+// The edge at v that goes on along the segment from p to q, -1 if there is none.
+int next_along(const Mesh& mesh, const Incidence& at_vertex, int v, const Point& p, const Point& q) {
+  constexpr double max_offset = 1e-9;  // from the segment, relative to its length
+  const Vector d = q - p;
+  const double length2 = squared_norm(d);
+  for (int k = at_vertex.start[at(v)]; k < at_vertex.start[at(v) + 1]; ++k) {
+    const int e = at_vertex.edges[at(k)];
+    const int w = mesh.edges[at(e)][0] == v ? mesh.edges[at(e)][1] : mesh.edges[at(e)][0];
+    const Vector r = mesh.points[at(w)] - p;
+    const bool forward = dot(mesh.points[at(w)] - mesh.points[at(v)], d) > 0.0;
+    const bool on_line = std::abs(cross(d, r)) <= max_offset * length2;
+    if (forward && on_line && dot(r, d) <= length2 * (1.0 + max_offset)) return e;
+  }
+  return -1;
+}
+
+}  // namespace
+
+std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const Domain& domain) {
+  const Incidence at_vertex = incidence(mesh);
+  const VertexFinder finder(mesh);
+  std::vector<int> segment_of(mesh.edges.size(), -1);
+  for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+    const Point& p = domain.points[at(domain.segments[s].a)];
+    const Point& q = domain.points[at(domain.segments[s].b)];
+    const int last = finder.find(q);
+    int v = finder.find(p);
+    if (v < 0 || last < 0) return std::nullopt;
+    while (v != last) {
+      const int e = next_along(mesh, at_vertex, v, p, q);
+      if (e < 0 || segment_of[at(e)] >= 0) return std::nullopt;
+      segment_of[at(e)] = static_cast<int>(s);
+      v = mesh.edges[at(e)][0] == v ? mesh.edges[at(e)][1] : mesh.edges[at(e)][0];
+    }
+  }
+  const bool all = std::none_of(segment_of.begin(), segment_of.end(), [](int s) { return s < 0; });
+  return all ? std::optional(std::move(segment_of)) : std::nullopt;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/particles/particle_system.h"
+
+namespace parmesan {
+
+/// The triangles around one particle, gathered into contiguous memory.
+///
+/// Spokes are listed counter-clockwise; triangle i lies between spokes i and i + 1 and is absent
+/// where the domain ends. The buffers are reused from one particle to the next.
+class Star {
+ public:
+  struct Spoke {
+    Point point;
+    Metric metric;
+    VertexId vertex = no_vertex;
+    bool has_triangle = false;  // is the face counter-clockwise of the spoke inside
+  };
+
+  void gather(const ParticleSystem& particles, VertexId v);
+
+  std::size_t size() const { return spokes_.size(); }
+  const Spoke& spoke(std::size_t i) const { return spokes_[i]; }
+  const Spoke& next(std::size_t i) const { return spokes_[i + 1 < spokes_.size() ? i + 1 : 0]; }
+
+  /// Smallest mean ratio of the triangles if the particle were at p and felt m; each triangle in
+  /// the mean of its vertex metrics. Negative when one would not be counter-clockwise.
+  double min_quality(const Point& p, const Metric& m) const;
+
+  /// Smallest mean ratio of the triangles that stay when the particle merges into its neighbour w.
+  /// Negative when none stays.
+  double quality_after_collapse(VertexId w) const;
+
+  /// Area of the star in the metric (thesis 5.10), for the annihilation rule 3.4.2.
+  double metric_area(const Point& p, const Metric& m) const;
+
+ private:
+  double squared_quality(std::size_t i, const Point& p, const Metric& m) const;
+
+  std::vector<Spoke> spokes_;
+};
+
+}  // namespace parmesan

@@ -1,0 +1,98 @@
+#include "mesher/triangulation/delaunay.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/hilbert.h"
+
+namespace parmesan {
+namespace {
+
+/// Positions 0 .. n - 1 in the order in which they are inserted: multiples of 64, of 8, the others.
+std::vector<int> insertion_order(const std::vector<int>& order) {
+  std::vector<int> result;
+  result.reserve(order.size());
+  for (std::size_t k = 0; k < order.size(); k += 64) result.push_back(order[k]);
+  for (std::size_t k = 0; k < order.size(); k += 8)
+    if (k % 64 != 0) result.push_back(order[k]);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (k % 8 != 0) result.push_back(order[k]);
+  return result;
+}
+
+/// Brings three non-collinear points to the front of order.
+void find_first_triangle(std::span<const Point> points, std::vector<int>& order) {
+  const auto at = [&](std::size_t k) -> const Point& { return points[static_cast<std::size_t>(order[k])]; };
+  std::size_t second = 1;
+  while (second < order.size() && at(second) == at(0)) ++second;
+  std::size_t third = second + 1;
+  while (third < order.size() && orient2d(at(0), at(second), at(third)) == 0.0) ++third;
+  if (third >= order.size())
+    throw GeometryError("a triangulation needs three points that are not collinear; there are " +
+                        std::to_string(points.size()) + " points");
+  std::swap(order[1], order[second]);
+  std::swap(order[2], order[third]);
+  if (orient2d(at(0), at(1), at(2)) < 0.0) std::swap(order[1], order[2]);
+}
+
+void make_triangle(Triangulation& t, const std::array<VertexId, 3>& v) {
+  std::array<EdgeId, 3> e;
+  for (std::size_t i = 0; i < 3; ++i) {
+    e[i] = t.make_edge(v[i], v[(i + 1) % 3], outside_face);
+    t.set_left(e[i], 0);
+    t.set_edge_of(v[i], e[i]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) t.splice(sym(e[i]), e[(i + 1) % 3]);
+}
+
+/// Gives vertex v the number new_id[v]; numbers that are not given become empty slots.
+void renumber(Triangulation& t, const std::vector<int>& new_id, std::span<const Point> points) {
+  const VertexId old_slots = t.num_slots();
+  std::vector<EdgeId> edge_of(points.size(), no_edge);
+  for (VertexId v = 0; v < old_slots; ++v)
+    edge_of[static_cast<std::size_t>(new_id[static_cast<std::size_t>(v)])] = t.edge_of(v);
+  while (t.num_slots() < static_cast<VertexId>(points.size())) t.add_vertex({});
+  for (VertexId v = t.num_slots() - 1; v >= 0; --v) {
+    const auto i = static_cast<std::size_t>(v);
+    t.set_point(v, points[i]);
+    t.set_edge_of(v, edge_of[i]);
+    if (edge_of[i] == no_edge) t.remove_isolated_vertex(v);
+  }
+  for (std::int32_t index = 0; index < 4 * t.size(); index += 2)
+    t.set_org({index}, new_id[static_cast<std::size_t>(t.org({index}))]);
+}
+
+}  // namespace
+
+// While it grows, vertices are numbered as they come, so that neighbours lie near in memory.
+PointTriangulation delaunay(std::span<const Point> points) {
+  std::vector<int> order = insertion_order(hilbert_order(points));
+  find_first_triangle(points, order);
+  PointTriangulation result;
+  Triangulation& t = result.triangulation;
+  t.reserve_for_vertices(points.size());
+  const auto position = [&](std::size_t k) -> const Point& { return points[static_cast<std::size_t>(order[k])]; };
+  make_triangle(t, {t.add_vertex(position(0)), t.add_vertex(position(1)), t.add_vertex(position(2))});
+  std::vector<int> point_of(order.begin(), order.begin() + 3);
+  point_of.reserve(points.size());
+  VertexId last = 0;
+  for (std::size_t k = 3; k < order.size(); ++k) {
+    const VertexId before = t.num_slots();
+    last = insert_site(t, position(k), t.edge_of(last));
+    if (last == before) {
+      point_of.push_back(order[k]);
+    } else {
+      int& first = point_of[static_cast<std::size_t>(last)];
+      const int later = std::max(first, order[k]);
+      first = std::min(first, order[k]);
+      result.duplicates.push_back({later, last});
+    }
+  }
+  for (DuplicatePoint& d : result.duplicates) d.first = point_of[static_cast<std::size_t>(d.first)];
+  renumber(t, point_of, points);
+  return result;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// Red refinement: every triangle is cut into four at the midpoints of its edges, every listed edge
+/// into two. Regions and labels are inherited; old vertices keep their numbers, a midpoint is
+/// numbered with the first triangle that has it. Shapes stay as they are. Cost: O(n).
+Mesh refine_red(const Mesh& mesh);
+
+}  // namespace parmesan

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/triangulation/triangulation.h"
+
+namespace parmesan {
+
+/// Joins a new vertex p to the free or constrained hull edges that it sees, hull_edge being one of
+/// them, with the triangulation on its left. All new faces carry region 0. Returns the vertex.
+VertexId join_to_hull(Triangulation& t, EdgeId hull_edge, const Point& p);
+
+/// Takes v, which ends no constraint, out of the triangulation and fills its star by cutting ears
+/// (thesis 2.5.4). On the hull the remaining chain is made convex. Returns the edges to legalize.
+///
+/// Errors: GeometryError when only collinear sites would be left. Cost: O(degree^3).
+std::vector<EdgeId> remove_star(Triangulation& t, VertexId v);
+
+/// Spokes and link edges of v.
+std::vector<EdgeId> star_edges(const Triangulation& t, VertexId v);
+
+/// Would all triangles at v, and a free hull through v, stay valid if v moved to p?
+bool can_move_in_place(const Triangulation& t, VertexId v, const Point& p);
+
+}  // namespace parmesan
