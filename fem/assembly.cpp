@@ -1,0 +1,143 @@
+#include "fem/assembly.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "fem/adjacency.h"
+#include "fem/coefficients.h"
+#include "fem/load.h"
+#include "fem/p1.h"
+#include "fem/stabilization.h"
+
+namespace parmesan {
+
+namespace {
+
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+
+/// Zero matrix with an entry for each pair of vertices that share a triangle.
+RowMatrix zero_matrix(const Mesh& mesh) {
+  const Adjacency neighbours = vertex_neighbours(mesh);
+  RowMatrix matrix(mesh.num_vertices(), mesh.num_vertices());
+  matrix.reserve(static_cast<Eigen::Index>(neighbours.items.size() + mesh.points.size()));
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    matrix.startVec(v);
+    bool before = true;
+    for (const int w : neighbours.of(v)) {
+      if (before && w > v) {
+        matrix.insertBack(v, v) = 0.0;
+        before = false;
+      }
+      matrix.insertBack(v, w) = 0.0;
+    }
+    if (before) matrix.insertBack(v, v) = 0.0;
+  }
+  matrix.finalize();
+  return matrix;
+}
+
+/// Coefficients of one element, integrated against its basis functions.
+struct ElementIntegrals {
+  Diffusion diffusion{0.0, 0.0, 0.0};  // mean
+  Vector velocity;                     // mean
+  Matrix3 lower_order{};               // int (b.grad phi_j + c phi_j) phi_i
+  bool reacts = false;                 // the reaction is not zero
+  bool negative = false;               // the reaction is negative
+};
+
+ElementIntegrals integrate(const Problem& problem, const P1Element& element, int region) {
+  ElementIntegrals result;
+  for (const auto& [lambda, weight] : degree4_rule()) {
+    const Point x = element.at(lambda);
+    const Diffusion k = diffusion_at(problem, x, region);
+    const Vector b = velocity_at(problem, x, region);
+    const double c = reaction_at(problem, x, region);
+    result.diffusion.xx += weight * k.xx;
+    result.diffusion.xy += weight * k.xy;
+    result.diffusion.yy += weight * k.yy;
+    result.velocity = result.velocity + weight * b;
+    result.reacts = result.reacts || c != 0.0;
+    result.negative = result.negative || c < 0.0;
+    if (!problem.velocity && c == 0.0) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        result.lower_order[i][j] += element.area * weight * lambda[i] * (dot(b, element.gradient[j]) + c * lambda[j]);
+      }
+    }
+  }
+  return result;
+}
+
+/// int K grad phi_j . grad phi_i, with rows that sum to zero.
+Matrix3 stiffness(const P1Element& element, const Diffusion& k) {
+  Matrix3 a{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    a[i][j] = a[j][i] = element.area * dot(element.gradient[i], k * element.gradient[j]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) a[i][i] = -(a[i][(i + 1) % 3] + a[i][(i + 2) % 3]);
+  return a;
+}
+
+/// Adds tau b_T.grad phi_i times the sum of the rows: the basis functions sum to 1, so that sum
+/// tests the equation with 1 on the element.
+void add_supg(const P1Element& element, const Vector& b, double tau, Matrix3& lower_order, SourceMoments& load) {
+  std::array<double, 3> column{};
+  for (std::size_t j = 0; j < 3; ++j) column[j] = lower_order[0][j] + lower_order[1][j] + lower_order[2][j];
+  const double source = load[0] + load[1] + load[2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double weight = tau * dot(b, element.gradient[i]);
+    load[i] += weight * source;
+    for (std::size_t j = 0; j < 3; ++j) lower_order[i][j] += weight * column[j];
+  }
+}
+
+/// Adds the matrix and the load of a triangle to those of the mesh.
+void scatter(const std::array<int, 3>& vertices, const Matrix3& a, const Matrix3& b, const SourceMoments& load,
+             AssembledSystem& system) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    system.load[vertices[i]] += load[i];
+    for (std::size_t j = 0; j < 3; ++j) system.matrix.coeffRef(vertices[i], vertices[j]) += a[i][j] + b[i][j];
+  }
+}
+
+/// Adds the integrals over one triangle.
+void add_triangle(const Mesh& mesh, const Problem& problem, std::size_t t, SourceMoments load,
+                  AssembledSystem& system) {
+  const P1Element element = p1_element(mesh, static_cast<int>(t));
+  ElementIntegrals integrals = integrate(problem, element, mesh.regions[t]);
+  if (problem.velocity) {
+    const double peclet = mesh_peclet(element, integrals.velocity, integrals.diffusion);
+    system.peclet_min = std::min(system.peclet_min, peclet);
+    system.peclet_max = std::max(system.peclet_max, peclet);
+    const double tau = supg_parameter(element, integrals.velocity, integrals.diffusion);
+    if (problem.stabilize && tau > 0.0) add_supg(element, integrals.velocity, tau, integrals.lower_order, load);
+  }
+  if (integrals.negative) system.definite = false;
+  for (const int v : mesh.triangles[t]) {
+    system.mass[v] += element.area / 3.0;
+    if (integrals.reacts) system.anchored[static_cast<std::size_t>(v)] = 1;
+  }
+  scatter(mesh.triangles[t], stiffness(element, integrals.diffusion), integrals.lower_order, load, system);
+}
+
+}  // namespace
+
+AssembledSystem assemble(const Mesh& mesh, const Problem& problem) {
+  const std::vector<SourceMoments> loads = source_moments(mesh, problem);
+  AssembledSystem system;
+  system.matrix = zero_matrix(mesh);
+  system.load.setZero(mesh.num_vertices());
+  system.mass.setZero(mesh.num_vertices());
+  system.anchored.assign(mesh.points.size(), 0);
+  system.symmetric = !problem.velocity;
+  if (problem.velocity) system.peclet_min = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    add_triangle(mesh, problem, t, loads.empty() ? SourceMoments{} : loads[t], system);
+  }
+  if (mesh.triangles.empty()) system.peclet_min = 0.0;
+  return system;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/assembly.h"
+#include "fem/problem.h"
+
+namespace parmesan {
+
+/// A labelled edge of the mesh seen from the triangle to its left.
+///
+///            apex            normal points to the right of from -> to,
+///           /    \           out of the triangle.
+///       from ---> to
+struct Side {
+  int from = 0;
+  int to = 0;
+  int label = 0;
+  int region = 0;         // of the triangle
+  Vector normal;          // of length 1
+  double length = 0.0;    // L
+  bool interior = false;  // triangles on both sides: an interior constraint
+};
+
+/// The labelled edges in the order of mesh.edges. Interior constraints are seen from the left.
+/// Errors: GeometryError for an edge that is the side of no triangle.
+std::vector<Side> labelled_sides(const Mesh& mesh);
+
+/// Errors: ProblemError for a boundary label without a condition, a condition for a label that the
+/// mesh does not have, a Neumann or Robin condition on interior constraints only, and a Robin
+/// condition without coefficient. The message lists what is missing and what is allowed.
+void check_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);
+
+/// Adds the Neumann and Robin integrals over the boundary,
+///
+///     F_i += int g phi_i,    A_ij += int a phi_i phi_j (Robin),
+///
+/// g by 4 Gauss points on halves of the side until they confirm each other, a by 4 Gauss points.
+/// Errors: ProblemError where the data are not finite.
+void add_flux_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                         AssembledSystem& system);
+
+/// Vertices whose value is given.
+struct FixedVertices {
+  std::vector<char> fixed;     // n
+  std::vector<double> values;  // n, zero where not fixed
+};
+
+/// Dirichlet data at the vertices of boundary sides and of interior constraints that have a
+/// condition. Where two Dirichlet labels meet, that with the lower number is taken; the sides of
+/// one label are averaged. Errors: ProblemError where the data are not finite.
+FixedVertices dirichlet_values(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);
+
+}  // namespace parmesan

@@ -1,0 +1,54 @@
+#include "fem/coefficients.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace parmesan {
+
+namespace {
+
+std::string to_text(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+double scalar_at(const ScalarCoefficient& coefficient, const char* name, const Point& point, int region) {
+  return coefficient ? require_finite(coefficient(point, region), name, point) : 0.0;
+}
+
+}  // namespace
+
+std::string format_place(const Point& point) { return "(" + to_text(point.x) + ", " + to_text(point.y) + ")"; }
+
+double require_finite(double value, const char* name, const Point& point) {
+  if (std::isfinite(value)) return value;
+  throw ProblemError(std::string(name) + " is " + to_text(value) + " at " + format_place(point) +
+                     "; it must be finite");
+}
+
+Diffusion diffusion_at(const Problem& problem, const Point& point, int region) {
+  if (!problem.diffusion) return {};
+  const Diffusion k = problem.diffusion(point, region);
+  for (const double entry : {k.xx, k.xy, k.yy}) require_finite(entry, "diffusion", point);
+  if (k.xx > 0.0 && k.yy > 0.0 && k.xx * k.yy > k.xy * k.xy) return k;
+  throw ProblemError("diffusion is [[" + to_text(k.xx) + ", " + to_text(k.xy) + "], [" + to_text(k.xy) + ", " +
+                     to_text(k.yy) + "]] at " + format_place(point) + "; it must be positive definite");
+}
+
+Vector velocity_at(const Problem& problem, const Point& point, int region) {
+  if (!problem.velocity) return {};
+  const Vector b = problem.velocity(point, region);
+  return {require_finite(b.x, "velocity", point), require_finite(b.y, "velocity", point)};
+}
+
+double reaction_at(const Problem& problem, const Point& point, int region) {
+  return scalar_at(problem.reaction, "reaction", point, region);
+}
+
+double source_at(const Problem& problem, const Point& point, int region) {
+  return scalar_at(problem.source, "source", point, region);
+}
+
+}  // namespace parmesan

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "fem/problem.h"
+
+namespace parmesan {
+
+/// "(x, y)" with the shortest digits that read back the same.
+std::string format_place(const Point& point);
+
+/// The value itself. Errors: ProblemError with the name and the place unless it is finite.
+double require_finite(double value, const char* name, const Point& point);
+
+/// K at a point of a region, the identity where the problem gives none.
+/// Errors: ProblemError with the place unless it is finite and positive definite.
+Diffusion diffusion_at(const Problem& problem, const Point& point, int region);
+
+/// b, c and f at a point of a region, zero where the problem gives none.
+/// Errors: ProblemError with the place unless they are finite.
+Vector velocity_at(const Problem& problem, const Point& point, int region);
+double reaction_at(const Problem& problem, const Point& point, int region);
+double source_at(const Problem& problem, const Point& point, int region);
+
+/// K d.
+constexpr Vector operator*(const Diffusion& k, const Vector& d) {
+  return {k.xx * d.x + k.xy * d.y, k.xy * d.x + k.yy * d.y};
+}
+
+}  // namespace parmesan

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fem/recovery.h"
+
+namespace parmesan {
+
+/// Lumped L2 projection of the gradient of a P1 function: the mean over the triangles around each
+/// vertex, weighted by area. Cost: O(n).
+std::vector<Vector> projected_gradients(const Mesh& mesh, std::span<const double> values);
+
+/// The projection applied to both components of the projected gradient, made symmetric. One order
+/// less accurate at the boundary. Cost: O(n).
+std::vector<Hessian> doubly_projected_hessians(const Mesh& mesh, std::span<const double> values);
+
+}  // namespace parmesan

@@ -1,0 +1,120 @@
+#include "fem/load.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/coefficients.h"
+#include "fem/p1.h"
+
+namespace parmesan {
+
+namespace {
+
+constexpr double LocalTolerance = 1e-3;   // of the triangle's own integral of |f|
+constexpr double GlobalTolerance = 1e-3;  // of the mean integral of |f| per triangle
+constexpr double OrbitTolerance = 0.05;   // difference of the two orbits that calls for subdivision
+constexpr int MaxDepth = 10;
+
+/// What the degree 4 rule says about a triangle or a part of one.
+struct Sample {
+  SourceMoments moments{};
+  double magnitude = 0.0;    // integral of |f|
+  double orbit_error = 0.0;  // difference of the integrals over the two orbits of three points
+};
+
+/// A part of an element, its corners in the barycentric coordinates of the element.
+struct Part {
+  std::array<Barycentric, 3> corners{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  double share = 1.0;  // of the element's area
+};
+
+/// A combination of the corners of a part.
+Barycentric combine(const std::array<Barycentric, 3>& c, const Barycentric& l) {
+  Barycentric result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = l[0] * c[0][i] + l[1] * c[1][i] + l[2] * c[2][i];
+  return result;
+}
+
+std::array<Part, 4> subdivide(const Part& part) {
+  const auto& c = part.corners;
+  const Barycentric m0 = combine(c, {0.0, 0.5, 0.5});
+  const Barycentric m1 = combine(c, {0.5, 0.0, 0.5});
+  const Barycentric m2 = combine(c, {0.5, 0.5, 0.0});
+  const double share = 0.25 * part.share;
+  return {{{{c[0], m2, m1}, share}, {{m2, c[1], m0}, share}, {{m1, m0, c[2]}, share}, {{m0, m1, m2}, share}}};
+}
+
+/// The source on one element.
+class ElementSource {
+ public:
+  ElementSource(const Problem& problem, const P1Element& element, int region)
+      : problem_(problem), element_(element), region_(region) {}
+
+  Sample sample(const Part& part) const {
+    Sample result;
+    std::array<double, 2> orbit{};
+    const double area = part.share * element_.area;
+    for (std::size_t q = 0; q < degree4_rule().size(); ++q) {
+      const TrianglePoint& point = degree4_rule()[q];
+      const Barycentric l = combine(part.corners, point.lambda);
+      const double f = source_at(problem_, element_.at(l), region_);
+      for (std::size_t i = 0; i < 3; ++i) result.moments[i] += area * point.weight * f * l[i];
+      result.magnitude += area * point.weight * std::abs(f);
+      orbit[q / 3] += area * f / 3.0;
+    }
+    result.orbit_error = std::abs(orbit[0] - orbit[1]);
+    return result;
+  }
+
+  /// Subdivides until the children confirm the parent to tolerance, which halves with each level
+  /// because a layer meets twice as many parts.
+  SourceMoments refine(const Part& part, const Sample& parent, double tolerance, int depth) const {
+    const std::array<Part, 4> parts = subdivide(part);
+    std::array<Sample, 4> children;
+    SourceMoments sum{};
+    double magnitude = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      children[k] = sample(parts[k]);
+      magnitude += children[k].magnitude;
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += children[k].moments[i];
+    }
+    double change = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) change = std::max(change, std::abs(sum[i] - parent.moments[i]));
+    if (depth >= MaxDepth || change <= std::max(tolerance, LocalTolerance * magnitude)) return sum;
+    sum = {};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const SourceMoments refined = refine(parts[k], children[k], 0.5 * tolerance, depth + 1);
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += refined[i];
+    }
+    return sum;
+  }
+
+ private:
+  const Problem& problem_;
+  const P1Element& element_;
+  int region_;
+};
+
+}  // namespace
+
+std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem) {
+  if (!problem.source) return {};
+  std::vector<Sample> samples(mesh.triangles.size());
+  double magnitude = 0.0;
+  for (std::size_t t = 0; t < samples.size(); ++t) {
+    const P1Element element = p1_element(mesh, static_cast<int>(t));
+    samples[t] = ElementSource(problem, element, mesh.regions[t]).sample({});
+    magnitude += samples[t].magnitude;
+  }
+  const double tolerance = GlobalTolerance * magnitude / static_cast<double>(samples.size());
+  std::vector<SourceMoments> result(samples.size());
+  for (std::size_t t = 0; t < samples.size(); ++t) {
+    result[t] = samples[t].moments;
+    if (samples[t].orbit_error <= std::max(tolerance, OrbitTolerance * samples[t].magnitude)) continue;
+    const P1Element element = p1_element(mesh, static_cast<int>(t));
+    result[t] = ElementSource(problem, element, mesh.regions[t]).refine({}, samples[t], tolerance, 1);
+  }
+  return result;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,202 @@
+#include "fem/norms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "fem/p1.h"
+#include "fem/quadrature.h"
+#include "mesher/errors.h"
+
+namespace parmesan {
+
+namespace {
+
+constexpr double Tolerance = 1e-3;         // of the mean integral per triangle
+constexpr int MaxDepth = 14;               // of the subdivision
+constexpr int SkipDegree10Above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
+constexpr std::size_t NumPeaks = 64;       // triangles whose largest error is looked for more closely
+constexpr int PeakDepth = 3;               // levels of subdivision there
+
+/// Integrals of |e|, e^2 and |grad e|^2 over a triangle or a part of one, and the largest |e|.
+struct Integrals {
+  double l1 = 0.0;
+  double l2 = 0.0;
+  double h1 = 0.0;
+  double largest = 0.0;
+  long nonfinite = 0;
+
+  void add(const Integrals& other) {
+    l1 += other.l1;
+    l2 += other.l2;
+    h1 += other.h1;
+    largest = std::max(largest, other.largest);
+    nonfinite += other.nonfinite;
+  }
+};
+
+/// A triangle by its corners.
+using Corners = std::array<Point, 3>;
+
+std::array<Corners, 4> subdivide(const Corners& c) {
+  const Point m0 = midpoint(c[1], c[2]);
+  const Point m1 = midpoint(c[2], c[0]);
+  const Point m2 = midpoint(c[0], c[1]);
+  return {{{c[0], m2, m1}, {m2, c[1], m0}, {m1, m0, c[2]}, {m0, m1, m2}}};
+}
+
+/// The error on one element.
+class ElementError {
+ public:
+  ElementError(const P1Element& element, const std::array<double, 3>& values, const ExactFunction& exact)
+      : element_(element), first_(values[0]), gradient_(p1_gradient(element, values)), exact_(exact) {}
+
+  Integrals integrate(const Corners& corners, double area, std::span<const TrianglePoint> rule) const {
+    Integrals sum;
+    for (const auto& [lambda, weight] : rule) {
+      const Point x = P1Element{.p = corners}.at(lambda);
+      const double e = error_at(x);
+      const Vector d = exact_.gradient ? exact_.gradient(x) - gradient_ : Vector{};
+      const double squared = squared_norm(d);
+      if (!std::isfinite(e) || !std::isfinite(squared)) {
+        ++sum.nonfinite;
+        continue;
+      }
+      sum.l1 += area * weight * std::abs(e);
+      sum.l2 += area * weight * e * e;
+      sum.h1 += area * weight * squared;
+      sum.largest = std::max(sum.largest, std::abs(e));
+    }
+    return sum;
+  }
+
+ private:
+  double error_at(const Point& x) const { return exact_.value(x) - (first_ + dot(gradient_, x - element_.p[0])); }
+
+  const P1Element& element_;
+  double first_;  // value at corner 0
+  Vector gradient_;
+  const ExactFunction& exact_;
+};
+
+/// Quadrature that subdivides until two rules agree on the integrals of e^2 and |grad e|^2.
+class AdaptiveQuadrature {
+ public:
+  /// mean: what a triangle contributes in the mean, to which tolerances refer.
+  AdaptiveQuadrature(const Integrals& mean, bool skip_degree10)
+      : l2_tolerance_(Tolerance * mean.l2), h1_tolerance_(Tolerance * mean.h1), skip_degree10_(skip_degree10) {}
+
+  /// The integrals over a part. The tolerance halves with each level, because a line on which the
+  /// error is not smooth meets twice as many parts.
+  Integrals integrate(const ElementError& error, const Corners& corners, double area, int depth) const {
+    const double share = std::ldexp(1.0, -depth);
+    const Integrals degree4 = error.integrate(corners, area, degree4_rule());
+    const Integrals degree6 = error.integrate(corners, area, degree6_rule());
+    if (skip_degree10_ && agree(degree4, degree6, 0.1 * share)) return degree6;
+    const Integrals degree10 = error.integrate(corners, area, degree10_rule_);
+    if (depth >= MaxDepth || agree(degree6, degree10, share)) return degree10;
+    Integrals sum;
+    for (const Corners& child : subdivide(corners)) sum.add(integrate(error, child, 0.25 * area, depth + 1));
+    return sum;
+  }
+
+ private:
+  bool agree(const Integrals& a, const Integrals& b, double share) const {
+    return std::abs(a.l2 - b.l2) <= share * l2_tolerance_ && std::abs(a.h1 - b.h1) <= share * h1_tolerance_;
+  }
+
+  double l2_tolerance_;
+  double h1_tolerance_;
+  bool skip_degree10_;
+  std::vector<TrianglePoint> degree10_rule_ = conical_rule(6);
+};
+
+/// The largest |e| at the points of the degree 6 rule on parts of a triangle.
+double sampled_maximum(const ElementError& error, const Corners& corners, int levels) {
+  if (levels == 0) return error.integrate(corners, 1.0, degree6_rule()).largest;
+  double largest = 0.0;
+  for (const Corners& child : subdivide(corners))
+    largest = std::max(largest, sampled_maximum(error, child, levels - 1));
+  return largest;
+}
+
+/// The triangles in which the error was seen to be largest.
+std::vector<std::size_t> peaks(const std::vector<double>& largest) {
+  std::vector<std::size_t> order(largest.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::size_t count = std::min(NumPeaks, order.size());
+  const auto before = [&largest](std::size_t a, std::size_t b) {
+    return largest[a] > largest[b] || (largest[a] == largest[b] && a < b);
+  };
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(), before);
+  order.resize(count);
+  return order;
+}
+
+/// A P1 function and the exact one on the elements of a mesh.
+class MeshError {
+ public:
+  MeshError(const Mesh& mesh, std::span<const double> values, const ExactFunction& exact)
+      : mesh_(mesh), values_(values), exact_(exact) {}
+
+  /// What a triangle contributes in the mean, by the degree 4 rule.
+  Integrals mean() const {
+    Integrals sum;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const P1Element element = p1_element(mesh_, static_cast<int>(t));
+      sum.add(error_on(element, t).integrate(element.p, element.area, degree4_rule()));
+    }
+    const auto count = static_cast<double>(mesh_.triangles.size());
+    return {.l1 = sum.l1 / count, .l2 = sum.l2 / count, .h1 = sum.h1 / count};
+  }
+
+  Integrals integrate(const AdaptiveQuadrature& quadrature) const {
+    Integrals sum;
+    std::vector<double> largest(mesh_.triangles.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const P1Element element = p1_element(mesh_, static_cast<int>(t));
+      const Integrals part = quadrature.integrate(error_on(element, t), element.p, element.area, 0);
+      largest[t] = part.largest;
+      sum.add(part);
+    }
+    for (const std::size_t t : peaks(largest)) {
+      const P1Element element = p1_element(mesh_, static_cast<int>(t));
+      sum.largest = std::max(sum.largest, sampled_maximum(error_on(element, t), element.p, PeakDepth));
+    }
+    return sum;
+  }
+
+ private:
+  ElementError error_on(const P1Element& element, std::size_t t) const {
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < 3; ++i) values[i] = values_[static_cast<std::size_t>(mesh_.triangles[t][i])];
+    return {element, values, exact_};
+  }
+
+  const Mesh& mesh_;
+  std::span<const double> values_;
+  const ExactFunction& exact_;
+};
+
+}  // namespace
+
+std::vector<double> interpolate(const Mesh& mesh, const std::function<double(const Point&)>& f) {
+  std::vector<double> values(mesh.points.size());
+  std::ranges::transform(mesh.points, values.begin(), f);
+  return values;
+}
+
+ErrorNorms error_norms(const Mesh& mesh, std::span<const double> values, const ExactFunction& exact) {
+  if (values.size() != mesh.points.size()) {
+    throw InputError("the function has " + std::to_string(values.size()) + " values; the mesh has " +
+                     std::to_string(mesh.points.size()) + " vertices");
+  }
+  const MeshError error(mesh, values, exact);
+  const AdaptiveQuadrature quadrature(error.mean(), mesh.num_triangles() > SkipDegree10Above);
+  const Integrals sum = error.integrate(quadrature);
+  const double h1 = exact.gradient ? std::sqrt(sum.h1) : std::numeric_limits<double>::quiet_NaN();
+  return {.l1 = sum.l1, .l2 = std::sqrt(sum.l2), .linf = sum.largest, .h1 = h1, .num_nonfinite = sum.nonfinite};
+}
+
+}  // namespace parmesan

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// A function known in closed form, to measure errors against.
+struct ExactFunction {
+  std::function<double(const Point&)> value;
+  std::function<Vector(const Point&)> gradient;
+};
+
+/// Norms of the difference; h1 is the seminorm ||grad e||.
+struct ErrorNorms {
+  double l1 = 0.0;
+  double l2 = 0.0;
+  double linf = 0.0;
+  double h1 = 0.0;
+  long num_nonfinite = 0;  // quadrature points where the exact function was not finite
+};
+
+/// Nodal values of the P1 interpolant.
+std::vector<double> interpolate(const Mesh& mesh, const std::function<double(const Point&)>& f);
+
+/// Error of the P1 function with these nodal values, by quadrature that sees layers inside elements.
+///
+/// Conical Gauss product with 6 x 6 points (degree 10), accepted where the degree 6 rule agrees on
+/// the integrals of e^2 and |grad e|^2 within 1e-3 of what a triangle contributes in the mean, else
+/// subdivided 1:4, at most 14 times. On meshes of more than 20000 triangles the degree 6 rule is
+/// enough where the degree 4 rule agrees ten times closer. linf is the largest |e| at the points
+/// used, and at those of a subdivision into 64 of the worst triangles.
+/// Quadrature points never lie on vertices or edges; where the exact function is not finite they
+/// are left out and counted. h1 is NaN without a gradient. The exact function is called from one
+/// thread. Errors: InputError when the sizes differ. Cost: 18 to 54 points per smooth triangle.
+ErrorNorms error_norms(const Mesh& mesh, std::span<const double> values, const ExactFunction& exact);
+
+}  // namespace parmesan

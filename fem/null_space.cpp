@@ -1,0 +1,105 @@
+#include "fem/null_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include "fem/adjacency.h"
+#include "fem/coefficients.h"
+#include "fem/reduction.h"
+
+namespace parmesan {
+
+namespace {
+
+constexpr double MaxMismatch = 5e-3;
+
+/// w with w^T A = 0 and w = 1 at the first vertex of each component; 0 on the other components.
+Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSystem& system) {
+  const auto n = static_cast<std::size_t>(system.load.size());
+  FixedVertices fixed{std::vector<char>(n, 1), std::vector<double>(n, 0.0)};
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(system.load.size());
+  for (const std::vector<int>& component : null_space.components) {
+    for (const int v : component) {
+      fixed.fixed[static_cast<std::size_t>(v)] = 0;
+      w[v] = 1.0;
+    }
+    fixed.fixed[static_cast<std::size_t>(component.front())] = 1;
+    fixed.values[static_cast<std::size_t>(component.front())] = 1.0;
+  }
+  if (system.symmetric) return w;
+  AssembledSystem transposed;
+  transposed.matrix = system.matrix.transpose();
+  transposed.load.setZero(system.load.size());
+  const ReducedSystem reduced = reduce(transposed, fixed);
+  const Eigen::VectorXd guess = Eigen::VectorXd::Ones(reduced.load.size());
+  const Eigen::VectorXd x = solve_linear(reduced.matrix, reduced.load, {.peclet_max = system.peclet_max}, guess).x;
+  for (std::size_t i = 0; i < reduced.vertices.size(); ++i) w[reduced.vertices[i]] = x[static_cast<Eigen::Index>(i)];
+  return w;
+}
+
+[[noreturn]] void refuse(const Mesh& mesh, const std::vector<int>& component, double mismatch, double magnitude) {
+  std::ostringstream message;
+  message.imbue(std::locale::classic());
+  message << "the solution is determined only up to a constant on the part of the mesh that holds the point "
+          << format_place(mesh.points[static_cast<std::size_t>(component.front())])
+          << " (no Dirichlet or Robin condition, no reaction), and the data do not balance there: the integrals of "
+             "the source and of the boundary fluxes add up to "
+          << mismatch << ", they must add up to 0 (their absolute values add up to " << magnitude << ")";
+  throw ProblemError(message.str());
+}
+
+}  // namespace
+
+NullSpace find_null_space(const Mesh& mesh, const AssembledSystem& system, const FixedVertices& dirichlet) {
+  const std::vector<int> component = vertex_components(mesh);
+  if (component.empty()) return {};
+  const auto count = static_cast<std::size_t>(*std::max_element(component.begin(), component.end())) + 1;
+  std::vector<char> anchored(count, 0);
+  std::vector<std::vector<int>> vertices(count);
+  for (std::size_t v = 0; v < component.size(); ++v) {
+    const auto c = static_cast<std::size_t>(component[v]);
+    if (dirichlet.fixed[v] || system.anchored[v]) anchored[c] = 1;
+  }
+  for (std::size_t v = 0; v < component.size(); ++v) {
+    const auto c = static_cast<std::size_t>(component[v]);
+    if (!anchored[c]) vertices[c].push_back(static_cast<int>(v));
+  }
+  std::erase_if(vertices, [](const std::vector<int>& list) { return list.empty(); });
+  return {std::move(vertices)};
+}
+
+double balance_load(const Mesh& mesh, const NullSpace& null_space, AssembledSystem& system) {
+  if (null_space.components.empty()) return 0.0;
+  const Eigen::VectorXd w = left_null_vector(null_space, system);
+  double worst = 0.0;
+  for (const std::vector<int>& component : null_space.components) {
+    double mismatch = 0.0;
+    double magnitude = 0.0;
+    double mass = 0.0;
+    for (const int v : component) {
+      mismatch += w[v] * system.load[v];
+      magnitude += std::abs(w[v] * system.load[v]);
+      mass += w[v] * system.mass[v];
+    }
+    if (std::abs(mismatch) > MaxMismatch * magnitude) refuse(mesh, component, mismatch, magnitude);
+    if (magnitude > 0.0) worst = std::max(worst, std::abs(mismatch) / magnitude);
+    for (const int v : component) system.load[v] -= mismatch / mass * system.mass[v];
+  }
+  return worst;
+}
+
+void remove_means(const NullSpace& null_space, const AssembledSystem& system, std::vector<double>& values) {
+  for (const std::vector<int>& component : null_space.components) {
+    double integral = 0.0;
+    double mass = 0.0;
+    for (const int v : component) {
+      integral += system.mass[v] * values[static_cast<std::size_t>(v)];
+      mass += system.mass[v];
+    }
+    for (const int v : component) values[static_cast<std::size_t>(v)] -= integral / mass;
+  }
+}
+
+}  // namespace parmesan

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/assembly.h"
+#include "fem/boundary_conditions.h"
+#include "fem/linear_solver.h"
+
+namespace parmesan {
+
+/// Parts of the mesh where u is determined only up to a constant: connected components without
+/// Dirichlet vertex, reaction or Robin coefficient.
+struct NullSpace {
+  std::vector<std::vector<int>> components;  // the vertices of each, in increasing order
+};
+
+/// Cost: O(n).
+NullSpace find_null_space(const Mesh& mesh, const AssembledSystem& system, const FixedVertices& dirichlet);
+
+/// Makes the data compatible. With w the left null vector of the matrix on a component (1 where
+/// there is no velocity), a solution exists if and only if w.F = 0, that is
+///
+///     int f + int over the boundary of g = 0   when w = 1.
+///
+/// A relative mismatch |w.F| / sum |w_i F_i| of at most 5e-3 counts as the error of quadrature and
+/// of chords in place of curved boundaries; it is taken from F as a constant source.
+///
+/// Returns the largest relative mismatch found.
+/// Errors: ProblemError with both integrals when the mismatch is larger.
+double balance_load(const Mesh& mesh, const NullSpace& null_space, AssembledSystem& system);
+
+/// Subtracts the mean value from u on each component.
+void remove_means(const NullSpace& null_space, const AssembledSystem& system, std::vector<double>& values);
+
+}  // namespace parmesan

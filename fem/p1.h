@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "fem/quadrature.h"
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// A triangle with its linear basis functions phi_i, phi_i(p_j) = 1 if i = j, else 0.
+///
+///        p2
+///       /  |      grad phi_i = (p_k - p_j) turned by +90 degrees / (2 area),
+///     p0 --- p1   with i, j, k in counter-clockwise order.
+struct P1Element {
+  std::array<Point, 3> p{};
+  std::array<Vector, 3> gradient{};  // of the basis functions, L^-1
+  double area = 0.0;
+
+  Point at(const Barycentric& l) const {
+    return {l[0] * p[0].x + l[1] * p[1].x + l[2] * p[2].x, l[0] * p[0].y + l[1] * p[1].y + l[2] * p[2].y};
+  }
+};
+
+/// The element of triangle t.
+/// Errors: GeometryError unless its area is positive in floating point.
+P1Element p1_element(const Mesh& mesh, int triangle);
+
+/// Gradient of the P1 function with these values at the three vertices.
+Vector p1_gradient(const P1Element& element, const std::array<double, 3>& values);
+
+}  // namespace parmesan

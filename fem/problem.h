@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "mesher/errors.h"
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// Entries of a symmetric positive definite diffusion tensor.
+struct Diffusion {
+  double xx = 1.0;
+  double xy = 0.0;
+  double yy = 1.0;
+};
+
+/// Coefficients are functions of the point and of the region of the triangle it lies in.
+using ScalarCoefficient = std::function<double(const Point&, int region)>;
+using VectorCoefficient = std::function<Vector(const Point&, int region)>;
+using DiffusionCoefficient = std::function<Diffusion(const Point&, int region)>;
+
+/// Boundary data are functions of the point, the outward unit normal and the region inside.
+using BoundaryData = std::function<double(const Point&, const Vector& normal, int region)>;
+
+enum class BoundaryKind { Dirichlet, Neumann, Robin };
+
+/// Dirichlet: u = value. Neumann: n.K grad u = value. Robin: n.K grad u + coefficient u = value.
+struct BoundaryCondition {
+  BoundaryKind kind = BoundaryKind::Dirichlet;
+  BoundaryData value;
+  BoundaryData coefficient;  // Robin only
+};
+
+/// -div(K grad u) + b.grad u + c u = f, with one condition per boundary label. An empty velocity,
+/// reaction or source is zero. Labels of interior constraints need no condition.
+struct Problem {
+  DiffusionCoefficient diffusion;
+  VectorCoefficient velocity;
+  ScalarCoefficient reaction;
+  ScalarCoefficient source;
+  std::map<int, BoundaryCondition> boundary;
+  bool stabilize = true;  // SUPG where the mesh Peclet number exceeds 1
+};
+
+/// The problem and its data contradict each other: a boundary part without a condition, pure
+/// Neumann data that do not balance, a coefficient that is not finite or not positive. Exit code 3.
+class ProblemError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+}  // namespace parmesan

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// Second derivatives at a vertex.
+struct Hessian {
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+};
+
+/// How second derivatives are recovered from a P1 function.
+enum class Recovery {
+  LeastSquares,     // quadratic fit on a patch of vertices, weighted
+  DoubleProjection  // lumped L2 projection of the gradient, twice
+};
+
+/// Gradient at each vertex, recovered from the P1 function with these nodal values.
+std::vector<Vector> recover_gradients(const Mesh& mesh, std::span<const double> values);
+
+/// Hessian at each vertex. Exact on quadratics for LeastSquares, at the boundary too.
+std::vector<Hessian> recover_hessians(const Mesh& mesh, std::span<const double> values,
+                                      Recovery recovery = Recovery::LeastSquares);
+
+/// What the recovered gradient says about the error (Zienkiewicz & Zhu): the H1 seminorm of the
+/// difference to the P1 gradient, and an L2 estimate from the recovered Hessian.
+struct EstimatedError {
+  double l2 = 0.0;
+  double h1 = 0.0;
+};
+EstimatedError estimate_error(const Mesh& mesh, std::span<const double> values);
+
+}  // namespace parmesan

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fem/problem.h"
+
+namespace parmesan {
+
+/// No solution with an acceptable residual was found. Exit code 6.
+class SolveError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct SolveReport {
+  std::string solver;  // "LDLT", "LU", "CG", "BiCGSTAB"
+  int unknowns = 0;
+  int iterations = 0;           // 0 for direct solvers
+  double backward_error = 0.0;  // ||b - Ax|| / (||A|| ||x|| + ||b||)
+  double peclet_min = 0.0;      // mesh Peclet number |b| h_b / (2 K_b) in the direction of b
+  double peclet_max = 0.0;
+  int null_components = 0;              // parts of the mesh where the mean value was fixed to zero
+  double compatibility_mismatch = 0.0;  // largest relative imbalance of the data there
+};
+
+/// Nodal values of the P1 solution, one per vertex of the mesh.
+struct Solution {
+  std::vector<double> values;
+  SolveReport report;
+};
+
+/// Assembles and solves the P1 discretisation.
+///
+/// guess: nodal values an iterative solver starts from, empty for none.
+/// The mesh is taken to pass validate(). Where the boundary and the coefficients leave u open up to
+/// a constant (pure Neumann data on a connected component), its mean value there is zero.
+/// Coefficients and data are called from one thread.
+/// Errors: ProblemError (data), SolveError (backward error above 1e-10 after the fallbacks, or
+/// singular to working precision),
+/// GeometryError (a triangle whose area is not positive in floating point).
+Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess = {});
+
+}  // namespace parmesan
