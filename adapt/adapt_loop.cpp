@@ -1,0 +1,197 @@
+#include "adapt/adapt_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adapt/stopwatch.h"
+#include "mesher/errors.h"
+
+namespace parmesan {
+namespace {
+
+// The mesher gives a little more or less than was asked.
+constexpr double cap_margin = 0.98;
+
+SizeGoal size_goal(const Targets& targets) {
+  SizeGoal goal;
+  goal.error_targets = declares_error_target(targets);
+  if (targets.vertices) goal.vertices = static_cast<double>(*targets.vertices);
+  if (targets.max_vertices) goal.cap = cap_margin * static_cast<double>(*targets.max_vertices);
+  if (goal.vertices && (goal.error_targets || (goal.cap && *goal.cap < *goal.vertices))) {
+    goal.cap = std::min(goal.cap.value_or(HUGE_VAL), *goal.vertices);
+    goal.vertices.reset();
+  }
+  return goal;
+}
+
+bool same_mesh(const Mesh& a, const Mesh& b) { return a.points == b.points && a.triangles == b.triangles; }
+
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+/// The loop's state; adapt() runs it.
+class Loop {
+ public:
+  Loop(const Case& input, const LoopOptions& options)
+      : case_(input), options_(options), goal_(size_goal(input.targets)) {
+    case_.mesher.max_vertices = std::min(case_.mesher.max_vertices, options.max_vertices);
+    if (input.targets.vertices && *input.targets.vertices > options.max_vertices) {
+      throw LimitError("the case aims at " + std::to_string(*input.targets.vertices) +
+                       " vertices, more than the safety limit of " + std::to_string(options.max_vertices));
+    }
+  }
+
+  LoopResult run() {
+    start();
+    while (true) {
+      const SizeDecision decision = finish_row();
+      if (decision.stop) {
+        result_.summary.stop_reason = *decision.stop;
+        break;
+      }
+      if (!advance(decision.asked)) break;
+    }
+    result_.summary.targets_met = goal_.error_targets && history_.back().error <= 1.0;
+    if (!goal_.error_targets) result_.summary.targets_met = result_.summary.stop_reason != StopReason::Interrupted;
+    result_.limit = limit_;
+    return std::move(result_);
+  }
+
+ private:
+  void start() {
+    Summary& summary = result_.summary;
+    summary.case_name = case_.name;
+    summary.seed = case_.mesher.seed;
+    summary.threads = options_.threads;
+    summary.error_targets_declared = goal_.error_targets;
+    limit_ = options_.limit;
+    if (options_.start) {
+      result_.last = *options_.start;
+      result_.last.seconds = {};
+      asked_ = static_cast<double>(result_.last.mesh.num_vertices());
+    } else {
+      start_uniform();
+    }
+    if (case_.exact && !limit_) limit_ = interpolation_limit(result_.last.mesh, *case_.exact);
+    if (limit_ && efficiency(1.0, 1.0, *limit_)) summary.interpolation_limit = limit_->value;
+  }
+
+  void start_uniform() {
+    asked_ = static_cast<double>(case_.initial_vertices);
+    if (goal_.cap) asked_ = std::min(asked_, *goal_.cap);
+    if (goal_.vertices) asked_ = std::min(asked_, *goal_.vertices);
+    result_.last = uniform_iterate(case_, asked_);
+    compute_values(case_, result_.last, nullptr);
+  }
+
+  // Measures the last iterate, reports it, and says what comes next.
+  SizeDecision finish_row() {
+    Iterate& last = result_.last;
+    std::vector<IterationRow>& rows = result_.summary.iterations;
+    rows.push_back(measure(case_, last, static_cast<int>(rows.size()), limit_));
+    for (std::string& warning : last.warnings) result_.summary.warnings.push_back(std::move(warning));
+    const double excess = target_excess(case_.targets, targeted_error(case_, rows.back()));
+    const bool adapted = rows.size() > 1 || options_.start;
+    history_.push_back({asked_, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
+    if (options_.observer) options_.observer(last, rows.back());
+    SizeDecision decision = next_size(history_, goal_);
+    if (!decision.stop) decision.stop = budget_spent();
+    return decision;
+  }
+
+  std::optional<StopReason> budget_spent() const {
+    if (interrupted()) return StopReason::Interrupted;
+    if (unchanged_) return StopReason::Unchanged;
+    if (limits_bind_) return StopReason::Stagnated;
+    const ErrorNorms error = targeted_error(case_, result_.summary.iterations.back());
+    if (error.l2 <= 1e-14 * largest_magnitude(result_.last.values)) return StopReason::Floor;
+    const Targets& targets = case_.targets;
+    if (static_cast<int>(history_.size()) >= targets.max_iterations) return StopReason::MaxIterations;
+    if (targets.max_seconds && watch_.seconds() >= *targets.max_seconds) return StopReason::TimeBudget;
+    return std::nullopt;
+  }
+
+  bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
+
+  // Recovers, builds the metric for this many vertices, remeshes and solves. False: interrupted.
+  bool advance(double asked) {
+    const Stopwatch recover;
+    MetricRequest request;
+    request.options = case_.metric;
+    request.measure = options_.measure.value_or(error_measure(case_.targets));
+    request.isotropic = options_.isotropic;
+    request.complexity = complexity_for_vertices(asked) * calibration();
+    const HessianMetric metric = metric_from_hessians(result_.last.mesh, hessians_of(case_, result_.last), request);
+    StageSeconds& seconds = result_.summary.iterations.back().seconds;
+    seconds.recover = recover.seconds();
+    seconds.cpu += recover.cpu_seconds();
+    Iterate next = interrupted() ? Iterate{} : remesh(case_, result_.last, metric);
+    if (!interrupted()) compute_values(case_, next, &result_.last);
+    if (interrupted()) {
+      result_.summary.stop_reason = StopReason::Interrupted;
+      return false;
+    }
+    unchanged_ = same_mesh(next.mesh, result_.last.mesh);
+    limits_bind_ = asked_ == asked && metric.complexity < 0.8 * request.complexity;
+    asked_ = asked;
+    result_.last = std::move(next);
+    return true;
+  }
+
+  // Complexity asked for per complexity that the vertices obtained stand for: boundary vertices make
+  // meshes larger than 2 C / sqrt3.
+  double calibration() const {
+    if (history_.size() < 2) return 1.0;
+    const double obtained = complexity_for_vertices(history_.back().vertices);
+    return std::clamp(result_.last.complexity / obtained, 0.5, 1.1);
+  }
+
+  Case case_;
+  const LoopOptions& options_;
+  SizeGoal goal_;
+  Stopwatch watch_;
+  std::optional<InterpolationLimit> limit_;
+  std::vector<SizeStep> history_;
+  double asked_ = 0.0;
+  bool unchanged_ = false;
+  bool limits_bind_ = false;
+  LoopResult result_;
+};
+
+}  // namespace
+
+double target_excess(const Targets& targets, const ErrorNorms& error) {
+  if (!declares_error_target(targets)) return error.l2;
+  double excess = 0.0;
+  const auto consider = [&excess](const std::optional<double>& target, double value, bool squared) {
+    if (!target) return;
+    const double ratio = value / *target;
+    const double scaled = squared ? ratio * ratio : ratio;
+    excess = std::isnan(scaled) ? std::numeric_limits<double>::infinity() : std::max(excess, scaled);
+  };
+  consider(targets.l2_error, error.l2, false);
+  consider(targets.linf_error, error.linf, false);
+  consider(targets.h1_error, error.h1, true);
+  return excess;
+}
+
+bool declares_error_target(const Targets& targets) {
+  return targets.l2_error || targets.h1_error || targets.linf_error;
+}
+
+ErrorMeasure error_measure(const Targets& targets) {
+  const bool only_h1 = targets.h1_error && !targets.l2_error && !targets.linf_error;
+  return only_h1 ? ErrorMeasure::H1 : ErrorMeasure::Lp;
+}
+
+LoopResult adapt(const Case& input, const LoopOptions& options) { return Loop(input, options).run(); }
+
+}  // namespace parmesan

@@ -1,0 +1,165 @@
+#include "adapt/case.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "adapt/case_reading.h"
+#include "adapt/expression_lexer.h"
+#include "adapt/expression_names.h"
+#include "adapt/json_text.h"
+#include "adapt/schema_check.h"
+
+namespace parmesan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 100;
+
+/// Control characters of names in the file must not reach a terminal.
+std::string printable(const std::string& text) {
+  std::string result = text;
+  for (char& c : result) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 32 || code == 127) c = '?';
+  }
+  return result;
+}
+
+std::string describe(const std::string& file, const std::vector<CaseIssue>& issues) {
+  std::string text;
+  for (const CaseIssue& issue : issues) {
+    if (!text.empty()) text += '\n';
+    text += printable(file);
+    if (issue.line > 0) text += ":" + std::to_string(issue.line) + ":" + std::to_string(issue.column);
+    text += ": ";
+    if (!issue.pointer.empty()) text += printable(issue.pointer) + ": ";
+    text += printable(issue.problem);
+  }
+  return text;
+}
+
+/// What the format promises and this version does not do yet: said so, and taken out.
+void refuse_unsupported(CaseReading& reading) {
+  Json& root = reading.document.root;
+  const auto refuse = [&](const char* section, const char* key, const std::string& problem) {
+    reading.issues.add(std::string("/") + section + "/" + key, problem);
+    root[section].erase(key);
+  };
+  const auto has = [&root](const char* section, const char* key) {
+    return root.contains(section) && root[section].is_object() && root[section].contains(key);
+  };
+  if (has("geometry", "curves")) refuse("geometry", "curves", "curves are not supported yet; give a polygon");
+  if (has("targets", "goal_error")) refuse("targets", "goal_error", "goal targets are not supported yet");
+  if (has("problem", "interpolate") && root["problem"]["interpolate"].is_object()) {
+    reading.issues.add("/problem/interpolate", "data from files are not supported yet; give an expression");
+    root["problem"]["interpolate"] = 0;
+  }
+}
+
+void read_parameter(CaseReading& reading, const std::string& name, Json& value) {
+  const std::string pointer = "/parameters" + pointer_step(name);
+  if (!is_identifier(name)) {
+    return reading.issues.add(pointer, "a name starts with a letter; then letters, digits and _ may follow");
+  }
+  if (is_reserved_name(name)) return reading.issues.add(pointer, "'" + name + "' has a meaning of its own already");
+  reading.parameters[name] = 1.0;  // so that a faulty one does not make others faulty
+  if (!value.is_number() && !value.is_string()) return;
+  const std::optional<Expression> expression = reading.expression(value, pointer);
+  if (!expression) return;
+  const double number = expression->value({});
+  if (!expression->is_constant()) return reading.issues.add(pointer, "must not depend on x or y");
+  if (!std::isfinite(number)) return reading.issues.add(pointer, "the value is not finite");
+  if (value.is_string()) value = number;
+  reading.parameters[name] = number;
+}
+
+void read_parameters(CaseReading& reading) {
+  Json& root = reading.document.root;
+  if (!root.contains("parameters") || !root["parameters"].is_object()) return;
+  for (auto& [name, value] : root["parameters"].items()) {
+    if (!name.starts_with("x-")) read_parameter(reading, name, value);
+  }
+}
+
+bool is_folder_name(const std::string& name) {
+  if (name.empty() || name.size() > kLongestName || name.front() == '.' || name.front() == '-') return false;
+  for (const char c : name) {
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+    if (!plain) return false;
+  }
+  return true;
+}
+
+void read_name(CaseReading& reading, Case& result) {
+  Json& root = reading.document.root;
+  if (!root.contains("name")) {
+    const std::string stem = fs::path(reading.document.file).stem().string();
+    root["name"] = is_folder_name(stem) ? stem : "case";
+  }
+  if (!reading.issues.clean("/name")) return;
+  result.name = root["name"].get<std::string>();
+  if (!is_folder_name(result.name)) {
+    reading.issues.add("/name",
+                       "must name a folder: up to 100 letters, digits, '_', '-' and '.', not starting with '.' "
+                       "or '-'");
+  }
+}
+
+}  // namespace
+
+CaseError::CaseError(const std::string& file, std::vector<CaseIssue> issues)
+    : InputError(describe(file, issues)), issues_(std::move(issues)) {}
+
+std::optional<Expression> CaseReading::expression(const Json& value, const std::string& pointer,
+                                                  const std::vector<std::string>& extra_variables) {
+  if (value.is_number()) return Expression::constant(value.get<double>());
+  try {
+    return Expression::parse(value.get<std::string>(), parameters, extra_variables);
+  } catch (const ExpressionError& error) {
+    issues.add(pointer, error.what(), error.position());
+    return std::nullopt;
+  }
+}
+
+Case parse_case(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
+  CaseReading reading;
+  reading.document = load_document(text, file, overrides, reading.issues);
+  refuse_unsupported(reading);
+  read_parameters(reading);
+  const Json schema = case_schema();
+  SchemaCheck check(schema, reading.parameters, reading.issues);
+  check.check(reading.document.root, schema, "");
+  check.complete(reading.document.root, schema);
+  Case result;
+  read_name(reading, result);
+  const std::optional<CaseGeometry> geometry = read_geometry_section(reading);
+  read_problem_section(reading, geometry ? &*geometry : nullptr, result);
+  read_option_sections(reading, result);
+  if (!reading.issues.empty()) throw CaseError(file, place_issues(reading.document, reading.issues));
+  clean(geometry->domain);  // throws GeometryError unless it can be meshed
+  result.domain = geometry->domain;
+  result.title = reading.document.root["title"].get<std::string>();
+  result.resolved = std::move(reading.document.root);
+  return result;
+}
+
+Case read_case(const std::string& path, const std::vector<Override>& overrides) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw FileError(path, 0, "there is no such file");
+  if (!fs::is_regular_file(status)) throw FileError(path, 0, "this is not a regular file");
+  if (fs::file_size(path, error) > kMaxCaseBytes && !error) {
+    throw CaseError(path, {{"", 0, 0, "larger than " + std::to_string(kMaxCaseBytes >> 20) + " MiB"}});
+  }
+  std::ifstream stream(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (!stream.good() && !stream.eof()) throw FileError(path, 0, "cannot be read");
+  return parse_case(text, path, overrides);
+}
+
+}  // namespace parmesan

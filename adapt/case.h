@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapt/expression.h"
+#include "fem/problem.h"
+#include "fem/recovery.h"
+#include "mesher/generate.h"
+
+namespace parmesan {
+
+/// The metric built from Hessians (THEORY: "Metrics").
+enum class MetricKind { LoseilleAlauzet, SignAware };
+
+struct MetricOptions {
+  MetricKind kind = MetricKind::SignAware;
+  double norm = 2.0;  // p of the Lp norm, infinity allowed
+  Recovery recovery = Recovery::LeastSquares;
+  bool exact_hessian = false;  // "recovery": "exact", from the exact expression
+  double h_min = 0.0;          // smallest size, L; 0: none
+  double h_max = 0.0;          // largest size, L; 0: a quarter of the domain's diameter
+  double max_aspect = 1e6;     // largest ratio of the two sizes
+  double gradation = 0.0;      // growth of size per unit metric length; 0: none
+};
+
+/// What the loop tries to reach and when it gives up. Absent ones are not looked at.
+struct Targets {
+  std::optional<double> l2_error, h1_error, linf_error;
+  std::optional<std::int64_t> vertices;      // aim at this size
+  std::optional<std::int64_t> max_vertices;  // never ask for more
+  int max_iterations = 20;
+  std::optional<double> max_seconds;
+};
+
+/// Pass limit on a field of the last iteration in summary.json.
+struct Expectation {
+  std::string name;  // dotted path, e.g. "efficiency", "solution_error.l2"; or "targets_met"
+  std::optional<double> min, max;
+  std::optional<bool> equals;
+};
+
+struct OutputOptions {
+  std::vector<std::string> formats{"vtu", "mesh", "svg"};
+};
+
+/// A case file, read, checked and compiled; everything the loop needs.
+struct Case {
+  std::string name;
+  std::string title;
+  nlohmann::ordered_json resolved;  // as run, every default filled in
+  Domain domain;
+  bool interpolation = false;       // "interpolate": adapt to a given function, no PDE
+  std::optional<Expression> exact;  // exact solution, or the function to interpolate
+  Problem problem;                  // empty when interpolation
+  MetricOptions metric;
+  Targets targets;
+  GenerateOptions mesher{.preset = Preset::Good};  // a loop gains from settled meshes
+  std::int64_t initial_vertices = 400;             // size of the uniform start mesh ("initial": {"vertices": ...})
+  OutputOptions output;
+  std::vector<Expectation> expect;
+};
+
+/// One thing that is wrong with a case file.
+struct CaseIssue {
+  std::string pointer;  // JSON pointer
+  int line = 0;         // 1-based, 0 when unknown
+  int column = 0;
+  std::string problem;  // what is wrong, what is allowed, the nearest right name
+};
+
+/// A case file cannot be used; what() lists every issue, one per line. Exit code 3.
+class CaseError : public InputError {
+ public:
+  CaseError(const std::string& file, std::vector<CaseIssue> issues);
+  const std::vector<CaseIssue>& issues() const { return issues_; }
+
+ private:
+  std::vector<CaseIssue> issues_;
+};
+
+/// A value that replaces or adds one in the case: --set /json/pointer=VALUE.
+struct Override {
+  std::string pointer;
+  std::string value;  // JSON, or a plain string when it is not JSON
+};
+
+/// Reads a case file. Errors: FileError (cannot be read), CaseError (all issues at once),
+/// GeometryError (the geometry it names is invalid).
+Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
+
+/// The same from text; file is used in messages and to find files the case names.
+Case parse_case(const std::string& text, const std::string& file, const std::vector<Override>& overrides = {});
+
+/// JSON Schema (draft 2020-12) of case files.
+nlohmann::ordered_json case_schema();
+
+}  // namespace parmesan

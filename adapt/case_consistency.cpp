@@ -1,0 +1,123 @@
+#include "adapt/case_consistency.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "adapt/number_text.h"
+
+namespace parmesan {
+namespace {
+
+constexpr int kNumSamples = 256;
+constexpr std::size_t kMostSides = 400;
+constexpr double kSourceTolerance = 1e-6;
+constexpr double kDirichletTolerance = 1e-3;
+constexpr int kDigits = 6;
+
+std::string shown(double value) { return short_number(value, kDigits); }
+
+std::string at(const Point& p) { return "at (" + shown(p.x) + ", " + shown(p.y) + ") "; }
+
+std::vector<Segment> sides_of(const CaseGeometry& geometry) {
+  std::vector<Segment> sides;
+  for (const Segment& segment : geometry.domain.segments) {
+    const bool side = std::binary_search(geometry.sides.begin(), geometry.sides.end(), segment.label);
+    if (side) sides.push_back(segment);
+  }
+  return sides;
+}
+
+/// Whether an odd number of segments lies to the right of the point.
+bool is_inside(const Point& p, const Domain& domain, const std::vector<Segment>& segments) {
+  bool inside = false;
+  for (const Segment& segment : segments) {
+    const Point& a = domain.points[static_cast<std::size_t>(segment.a)];
+    const Point& b = domain.points[static_cast<std::size_t>(segment.b)];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+/// Points spread evenly over the inside of the sides (Roberts's R2 sequence in their bounding box).
+std::vector<Point> samples_inside(const Domain& domain, const std::vector<Segment>& sides) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kPlastic = 1.32471795724474602596;
+  Point low{kInfinity, kInfinity};
+  Point high{-kInfinity, -kInfinity};
+  for (const Point& p : domain.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  std::vector<Point> samples;
+  for (int i = 1; i <= kNumSamples; ++i) {
+    const double s = std::fmod(0.5 + i / kPlastic, 1.0);
+    const double t = std::fmod(0.5 + i / (kPlastic * kPlastic), 1.0);
+    const Point p{low.x + s * (high.x - low.x), low.y + t * (high.y - low.y)};
+    if (is_inside(p, domain, sides)) samples.push_back(p);
+  }
+  return samples;
+}
+
+void check_source(CaseReading& reading, const Equation& equation, const CheckedExpression& source,
+                  const std::vector<Point>& samples) {
+  for (const Point& p : samples) {
+    const double given = source.expression().value(p);
+    const double u_xx = equation.exact->expression().jet(p).xx;
+    if (!std::isfinite(given) || !std::isfinite(u_xx)) continue;
+    const Sum derived = equation.derived_source(p, 0);
+    if (std::fabs(given - derived.value) <= kSourceTolerance * (derived.scale + std::fabs(given))) continue;
+    return reading.issues.add(source.pointer(), "does not agree with 'exact': " + at(p) + "it is " + shown(given) +
+                                                    ", but the equation applied to the exact solution gives " +
+                                                    shown(derived.value) + "; leave 'source' out to have it derived");
+  }
+}
+
+void check_dirichlet(CaseReading& reading, const CaseGeometry& geometry, const Equation& equation,
+                     const Problem& problem, const std::vector<Segment>& sides, double size) {
+  for (std::size_t i = 0; i < std::min(sides.size(), kMostSides); ++i) {
+    const auto condition = problem.boundary.find(sides[i].label);
+    if (condition == problem.boundary.end() || condition->second.kind != BoundaryKind::Dirichlet) continue;
+    const Point& a = geometry.domain.points[static_cast<std::size_t>(sides[i].a)];
+    const Point& b = geometry.domain.points[static_cast<std::size_t>(sides[i].b)];
+    for (const double t : {0.21, 0.5, 0.83}) {
+      const Point p = lerp(a, b, t);
+      const double exact = equation.exact->expression().value(p);
+      if (!std::isfinite(exact)) continue;
+      const double given = condition->second.value(p, {}, 0);
+      if (std::fabs(given - exact) <= kDirichletTolerance * std::max(size, std::fabs(exact))) continue;
+      return reading.issues.add("/problem/boundary", "the condition on '" +
+                                                         label_name(geometry.domain.label_names, sides[i].label) +
+                                                         "' does not agree with 'exact': " + at(p) + "it gives " +
+                                                         shown(given) + ", but u = " + shown(exact));
+    }
+  }
+}
+
+bool is_uniform(const Equation& equation) {
+  return equation.diffusion.by_region.empty() && equation.velocity.by_region.empty() &&
+         equation.reaction.by_region.empty();
+}
+
+}  // namespace
+
+void check_consistency(CaseReading& reading, const CaseGeometry& geometry, const Equation& equation,
+                       const std::optional<Regional<CheckedExpression>>& source, const Problem& problem) {
+  const std::vector<Segment> sides = sides_of(geometry);
+  if (sides.empty() || !is_uniform(equation)) return;
+  const std::vector<Point> samples = samples_inside(geometry.domain, sides);
+  double size = 0.0;  // of u
+  for (const Point& p : samples) {
+    const double u = equation.exact->expression().value(p);
+    if (std::isfinite(u)) size = std::max(size, std::fabs(u));
+  }
+  try {
+    if (source && source->by_region.empty()) check_source(reading, equation, *source->other, samples);
+    check_dirichlet(reading, geometry, equation, problem, sides, size);
+  } catch (const ProblemError&) {
+    // a value that is not finite at some sample: an error only where the solver needs it
+  }
+}
+
+}  // namespace parmesan

@@ -1,0 +1,135 @@
+#include "adapt/case_document.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "adapt/json_text.h"
+
+namespace parmesan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const std::string& file, LineColumn at, const std::string& problem) {
+  throw CaseError(file, {{"", at.line, at.column, problem}});
+}
+
+/// nlohmann's message without "[json.exception.parse_error.101] parse error at line 2, column 3: ".
+std::string plain_message(const std::string& what) {
+  const std::size_t bracket = what.find("] ");
+  const std::string message = bracket == std::string::npos ? what : what.substr(bracket + 2);
+  const std::size_t colon = message.starts_with("parse error") ? message.find(": ") : std::string::npos;
+  return colon == std::string::npos ? message : message.substr(colon + 2);
+}
+
+std::string too_deep() { return "nested more than " + std::to_string(kMaxCaseDepth) + " deep"; }
+
+Json parse_json(const std::string& text, const std::string& file) {
+  if (text.size() > kMaxCaseBytes) refuse(file, {}, "larger than " + std::to_string(kMaxCaseBytes >> 20) + " MiB");
+  const auto limit_depth = [&file](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kMaxCaseDepth) refuse(file, {}, too_deep());
+    return true;
+  };
+  try {
+    return Json::parse(text, limit_depth, true, true);
+  } catch (const Json::parse_error& error) {
+    const LineColumn at = line_column(text, error.byte > 0 ? error.byte - 1 : 0);
+    refuse(file, at, "not JSON: " + plain_message(error.what()));
+  } catch (const Json::exception& error) {  // a number beyond double precision
+    refuse(file, {}, "not JSON: " + plain_message(error.what()));
+  }
+}
+
+/// VALUE as JSON where it is, else as the text itself.
+std::optional<Json> override_value(const std::string& text) {
+  bool deep = false;
+  const auto limit_depth = [&deep](int depth, Json::parse_event_t, const Json&) {
+    deep = deep || depth > kMaxCaseDepth;
+    return !deep;
+  };
+  if (text.size() > kMaxCaseBytes) return std::nullopt;
+  try {
+    Json value = Json::parse(text, limit_depth, true, true);
+    if (deep) return std::nullopt;
+    return value;
+  } catch (const Json::exception&) {
+    return Json(text);
+  }
+}
+
+/// The member or element of parent, made if it can be; null if it cannot.
+Json* child(Json& parent, const std::string& step) {
+  if (parent.is_null()) parent = Json::object();
+  if (parent.is_object()) return &parent[step];
+  if (!parent.is_array()) return nullptr;
+  std::size_t index = parent.size();
+  const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);
+  const bool number = error == std::errc() && end == step.data() + step.size();
+  if (step != "-" && (!number || index > parent.size())) return nullptr;
+  if (index == parent.size()) parent.push_back(nullptr);
+  return &parent[index];
+}
+
+void apply_override(const Override& entry, CaseDocument& document, CaseIssues& issues) {
+  document.overridden.push_back(entry.pointer);
+  const std::optional<std::vector<std::string>> steps = pointer_steps(entry.pointer);
+  if (!steps || steps->empty()) {
+    return issues.add(entry.pointer, "not a JSON pointer to set; write for example /targets/max_iterations=5");
+  }
+  std::optional<Json> value = override_value(entry.value);
+  if (!value || steps->size() > static_cast<std::size_t>(kMaxCaseDepth)) return issues.add(entry.pointer, too_deep());
+  Json* place = &document.root;
+  for (const std::string& step : *steps) {
+    place = child(*place, step);
+    if (place == nullptr) return issues.add(entry.pointer, "there is nothing with this JSON pointer to set");
+  }
+  *place = std::move(*value);
+}
+
+bool is_overridden(const CaseDocument& document, const std::string& pointer) {
+  return std::any_of(document.overridden.begin(), document.overridden.end(),
+                     [&pointer](const std::string& set) { return pointer == set || pointer.starts_with(set + "/"); });
+}
+
+CaseIssue place_issue(const CaseDocument& document, const RawIssue& issue) {
+  if (is_overridden(document, issue.pointer)) return {issue.pointer, 0, 0, "(from --set) " + issue.problem};
+  const JsonPlace place = locate(document.text, issue.pointer);
+  std::size_t offset = place.key;
+  std::string problem = issue.problem;
+  if (issue.text_position && place.found) {
+    const std::size_t start = place.value + 1;
+    const std::string_view passed = std::string_view(document.text).substr(start, *issue.text_position);
+    if (passed.find('\\') == std::string_view::npos) offset = start + *issue.text_position;
+    problem += " (character " + std::to_string(*issue.text_position + 1) + " of the expression)";
+  }
+  const LineColumn at = line_column(document.text, offset);
+  return {issue.pointer, at.line, at.column, problem};
+}
+
+}  // namespace
+
+CaseDocument load_document(const std::string& text, const std::string& file, const std::vector<Override>& overrides,
+                           CaseIssues& issues) {
+  CaseDocument document{file, text, parse_json(text, file), {}};
+  if (!document.root.is_object()) refuse(file, {1, 1}, "a case is an object { }");
+  for (const DuplicateKey& duplicate : find_duplicate_keys(text)) {
+    const LineColumn at = line_column(text, duplicate.offset);
+    issues.add(duplicate.pointer, "the key is given twice; the second time in line " + std::to_string(at.line) +
+                                      ", column " + std::to_string(at.column));
+  }
+  for (const Override& entry : overrides) apply_override(entry, document, issues);
+  return document;
+}
+
+std::vector<CaseIssue> place_issues(const CaseDocument& document, const CaseIssues& issues) {
+  std::vector<CaseIssue> placed;
+  for (const RawIssue& issue : issues.all()) placed.push_back(place_issue(document, issue));
+  std::stable_sort(placed.begin(), placed.end(), [](const CaseIssue& a, const CaseIssue& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
+  if (issues.full()) placed.push_back({"", 0, 0, "only the first issues are shown"});
+  return placed;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,50 @@
+#include "adapt/case_file_geometry.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "mesher/io/geometry_file.h"
+
+namespace parmesan {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+/// What forbids to read the file; empty when nothing does.
+std::string refusal(const fs::path& path, const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return "there is no such file";
+  if (!fs::is_regular_file(status)) return "this is not a regular file";
+  const fs::path real = fs::canonical(path, error);
+  const fs::path real_folder = fs::canonical(folder, error);
+  if (error || !is_below(real, real_folder)) return "a link leads out of the case's folder";
+  if (fs::file_size(real, error) > kMaxGeometryBytes || error) return "the file is larger than 1 GiB";
+  return {};
+}
+
+}  // namespace
+
+std::optional<Domain> read_named_geometry(CaseReading& reading, const std::string& name, const std::string& pointer) {
+  const fs::path written(name);
+  const bool climbs = std::find(written.begin(), written.end(), "..") != written.end();
+  if (name.find('\0') != std::string::npos || written.is_absolute() || climbs) {
+    reading.issues.add(pointer, "must name a file beside or below the case file, without '..' or a leading '/'");
+    return std::nullopt;
+  }
+  fs::path folder = fs::path(reading.document.file).parent_path();
+  if (folder.empty()) folder = ".";
+  const std::string problem = refusal(folder / written, folder);
+  if (!problem.empty()) {
+    reading.issues.add(pointer, "cannot read '" + name.substr(0, 200) + "': " + problem);
+    return std::nullopt;
+  }
+  return read_geometry((folder / written).string());
+}
+
+}  // namespace parmesan

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "adapt/case_reading.h"
+
+namespace parmesan {
+
+/// The largest geometry file a case may name.
+inline constexpr std::uintmax_t kMaxGeometryBytes = std::uintmax_t{1} << 30;
+
+/// Reads the geometry file that a case names at pointer.
+///
+/// Only regular files beside or below the case file are read; links must not lead elsewhere.
+/// Nothing, and an issue, for any other. Errors: FileError, GeometryError for what is in it.
+std::optional<Domain> read_named_geometry(CaseReading& reading, const std::string& name, const std::string& pointer);
+
+}  // namespace parmesan

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <array>
+
+#include "adapt/case_file_geometry.h"
+#include "adapt/case_reading.h"
+#include "adapt/domain_builder.h"
+#include "adapt/json_text.h"
+#include "adapt/nearest_name.h"
+#include "adapt/shapes.h"
+
+namespace parmesan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string kGeometry = "/geometry";
+
+Point read_point(const Json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
+
+Ring read_ring(const Json& value) {
+  Ring ring;
+  for (const Json& point : value) ring.push_back(read_point(point));
+  return ring;
+}
+
+Ring read_disc(const Json& value) {
+  return regular_polygon(read_point(value["center"]), value["radius"].get<double>(), value["points"].get<int>());
+}
+
+/// The corners of {"min", "max"}; an issue when they are not in this order.
+std::optional<Ring> read_box(CaseReading& reading, const Json& value, const std::string& pointer) {
+  const Point min = read_point(value["min"]);
+  const Point max = read_point(value["max"]);
+  if (min.x < max.x && min.y < max.y) return rectangle(min, max);
+  reading.issues.add(pointer, "'min' must be smaller than 'max' in both coordinates");
+  return std::nullopt;
+}
+
+std::vector<std::string> box_sides() { return {"bottom", "right", "top", "left"}; }
+
+std::optional<std::array<int, 4>> naca_digits(const std::string& code) {
+  std::array<int, 4> digits{};
+  if (code.size() != digits.size()) return std::nullopt;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (code[i] < '0' || code[i] > '9') return std::nullopt;
+    digits[i] = code[i] - '0';
+  }
+  const bool camber_has_place = digits[0] == 0 || digits[1] != 0;
+  if (!camber_has_place || (digits[2] == 0 && digits[3] == 0)) return std::nullopt;
+  return digits;
+}
+
+void add_naca(CaseReading& reading, const Json& value, DomainBuilder& builder) {
+  const std::string pointer = kGeometry + "/naca";
+  const std::optional<Ring> channel = read_box(reading, value["channel"], pointer + "/channel");
+  const std::optional<std::array<int, 4>> digits = naca_digits(value["code"].get<std::string>());
+  if (!digits) reading.issues.add(pointer + "/code", "must be four digits with a thickness, such as '0012' or '2412'");
+  if (!digits || !channel) return;
+  const AirfoilPlacement placement{value["chord"].get<double>(), value["angle"].get<double>(),
+                                   read_point(value["position"])};
+  const Ring airfoil = naca_airfoil(*digits, value["points"].get<int>(), placement);
+  const Point min = channel->front();
+  const Point max = (*channel)[2];
+  const bool fits = std::all_of(airfoil.begin(), airfoil.end(), [&min, &max](const Point& p) {
+    return p.x > min.x && p.x < max.x && p.y > min.y && p.y < max.y;
+  });
+  if (!fits) reading.issues.add(pointer + "/channel", "the airfoil must lie inside the channel");
+  builder.add_ring(*channel, box_sides());
+  builder.add_hole(airfoil, "airfoil");
+}
+
+void add_polygon(CaseReading& reading, const Json& geometry, DomainBuilder& builder) {
+  const Ring ring = read_ring(geometry["polygon"]);
+  std::vector<std::string> sides{"boundary"};
+  if (geometry.contains("labels") && geometry["labels"].is_array()) {
+    sides = geometry["labels"].get<std::vector<std::string>>();
+    if (sides.size() != ring.size()) {
+      reading.issues.add(kGeometry + "/labels", "must name each of the " + std::to_string(ring.size()) +
+                                                    " sides of the polygon, not " + std::to_string(sides.size()));
+      sides = {"boundary"};
+    }
+  }
+  builder.add_ring(ring, sides);
+}
+
+void add_outline(CaseReading& reading, const Json& geometry, DomainBuilder& builder) {
+  if (geometry.contains("rectangle")) {
+    const std::optional<Ring> box = read_box(reading, geometry["rectangle"], kGeometry + "/rectangle");
+    if (box) builder.add_ring(*box, box_sides());
+  }
+  if (geometry.contains("disc")) builder.add_ring(read_disc(geometry["disc"]), {"circle"});
+  if (geometry.contains("polygon")) add_polygon(reading, geometry, builder);
+  if (geometry.contains("naca")) add_naca(reading, geometry["naca"], builder);
+  if (!geometry.contains("file")) return;
+  std::optional<Domain> domain = read_named_geometry(reading, geometry["file"].get<std::string>(), kGeometry + "/file");
+  if (domain) builder = DomainBuilder(std::move(*domain));
+}
+
+void add_holes(const Json& holes, DomainBuilder& builder) {
+  int number = 0;
+  for (const Json& hole : holes) {
+    const std::string name = "hole" + std::to_string(++number);
+    if (hole.is_array()) {
+      builder.add_hole(read_ring(hole), name);
+    } else {
+      const Ring ring = hole.contains("disc") ? read_disc(hole["disc"]) : read_ring(hole["polygon"]);
+      builder.add_hole(ring, hole.value("label", name));
+    }
+  }
+}
+
+/// "labels": {"old": "new"}.
+void rename_sides(CaseReading& reading, const Json& names, DomainBuilder& builder) {
+  const std::string pointer = kGeometry + "/labels";
+  const std::vector<int> labels = builder.labels_in_use();
+  std::vector<std::string> present;
+  for (const int label : labels) present.push_back(label_name(builder.domain().label_names, label));
+  for (const auto& [old_name, new_name] : names.items()) {
+    if (old_name.starts_with("x-")) continue;
+    const auto found = std::find(present.begin(), present.end(), old_name);
+    if (found != present.end()) {
+      builder.rename(labels[static_cast<std::size_t>(found - present.begin())], new_name.get<std::string>());
+      continue;
+    }
+    const std::string hint = suggestion(old_name, present);
+    reading.issues.add(pointer + pointer_step(old_name), "there is no side '" + old_name.substr(0, 60) + "'" +
+                                                             (hint.empty() ? "." : hint) +
+                                                             " The sides are: " + quoted_list(present));
+  }
+}
+
+void read_labels(CaseReading& reading, const Json& geometry, DomainBuilder& builder) {
+  if (!geometry.contains("labels")) return;
+  if (geometry["labels"].is_object()) return rename_sides(reading, geometry["labels"], builder);
+  if (geometry.contains("polygon")) return;
+  reading.issues.add(kGeometry + "/labels", "a list of names is for polygons; write { \"side\": \"new name\" }");
+}
+
+void add_insides(const Json& geometry, DomainBuilder& builder) {
+  for (const Json& point : geometry.value("points", Json::array())) builder.add_point(read_point(point));
+  for (const Json& segment : geometry.value("segments", Json::array())) {
+    builder.add_segment(read_point(segment["from"]), read_point(segment["to"]), segment["label"].get<std::string>());
+  }
+  const Json regions = geometry.value("regions", Json::object());
+  for (const auto& [name, seed] : regions.items()) {
+    if (!name.starts_with("x-")) builder.add_region(name, read_point(seed));
+  }
+}
+
+}  // namespace
+
+std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
+  if (!reading.document.root.contains("geometry") || !reading.issues.clean(kGeometry)) return std::nullopt;
+  const Json& geometry = reading.document.root["geometry"];
+  DomainBuilder builder;
+  add_outline(reading, geometry, builder);
+  if (!reading.issues.clean(kGeometry)) return std::nullopt;
+  add_holes(geometry.value("holes", Json::array()), builder);
+  read_labels(reading, geometry, builder);
+  CaseGeometry result;
+  const std::vector<int> outline = builder.labels_in_use();
+  (geometry.contains("file") ? result.optional : result.sides) = outline;
+  add_insides(geometry, builder);
+  for (const int label : builder.labels_in_use()) {
+    if (!std::binary_search(outline.begin(), outline.end(), label)) result.optional.push_back(label);
+  }
+  result.domain = builder.domain();
+  if (!reading.issues.clean(kGeometry)) return std::nullopt;
+  return result;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,97 @@
+#include <limits>
+
+#include "adapt/case_reading.h"
+
+namespace parmesan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<double> optional_number(const Json& section, const char* key) {
+  if (!section.contains(key)) return std::nullopt;
+  return section[key].get<double>();
+}
+
+std::optional<std::int64_t> optional_count(const Json& section, const char* key) {
+  if (!section.contains(key)) return std::nullopt;
+  return static_cast<std::int64_t>(section[key].get<double>());
+}
+
+void read_metric(CaseReading& reading, const Json& section, Case& result) {
+  MetricOptions& metric = result.metric;
+  const bool sign_aware = section["kind"] == "sign-aware";
+  metric.kind = sign_aware ? MetricKind::SignAware : MetricKind::LoseilleAlauzet;
+  const Json& norm = section["norm"];
+  metric.norm = norm.is_string() ? std::numeric_limits<double>::infinity() : norm.get<double>();
+  metric.exact_hessian = section["recovery"] == "exact";
+  const bool twice = section["recovery"] == "double-projection";
+  metric.recovery = twice ? Recovery::DoubleProjection : Recovery::LeastSquares;
+  metric.h_min = section["h_min"].get<double>();
+  metric.h_max = section["h_max"].get<double>();
+  metric.max_aspect = section["max_aspect"].get<double>();
+  metric.gradation = section["gradation"].get<double>();
+  if (metric.h_max > 0.0 && metric.h_min > metric.h_max) {
+    reading.issues.add("/metric/h_min", "must not be larger than 'h_max'");
+  }
+  if (metric.gradation > 0.0 && metric.gradation <= 1.0) {
+    reading.issues.add("/metric/gradation", "must be 0 (none) or above 1: by this factor sizes may grow per edge");
+  }
+  if (metric.exact_hessian && !result.exact) {
+    reading.issues.add("/metric/recovery", "'exact' needs the exact solution in problem.exact");
+  }
+}
+
+void read_targets(CaseReading& reading, const Json& section, Case& result) {
+  Targets& targets = result.targets;
+  targets.l2_error = optional_number(section, "l2_error");
+  targets.h1_error = optional_number(section, "h1_error");
+  targets.linf_error = optional_number(section, "linf_error");
+  targets.vertices = optional_count(section, "vertices");
+  targets.max_vertices = optional_count(section, "max_vertices");
+  targets.max_iterations = static_cast<int>(section["max_iterations"].get<double>());
+  targets.max_seconds = optional_number(section, "max_seconds");
+  if (targets.linf_error && !result.exact) {
+    reading.issues.add("/targets/linf_error", "needs problem.exact: the largest error cannot be estimated");
+  }
+  if (targets.vertices && targets.max_vertices && *targets.vertices > *targets.max_vertices) {
+    reading.issues.add("/targets/vertices", "must not be larger than 'max_vertices'");
+  }
+}
+
+void read_mesher(const Json& section, GenerateOptions& mesher) {
+  const Json& preset = section["preset"];
+  mesher.preset = preset == "fast" ? Preset::Fast : (preset == "mid" ? Preset::Mid : Preset::Good);
+  mesher.seed = static_cast<std::uint64_t>(section["seed"].get<double>());
+}
+
+void read_expectations(CaseReading& reading, const Json& section, Case& result) {
+  for (const auto& [name, value] : section.items()) {
+    if (name.starts_with("x-")) continue;
+    Expectation expectation{name, std::nullopt, std::nullopt, std::nullopt};
+    const bool is_flag = name == "targets_met";
+    if (value.is_boolean() != is_flag) {
+      reading.issues.add("/expect/" + name, is_flag ? "must be true or false" : "must be { \"min\": a, \"max\": b }");
+    } else if (is_flag) {
+      expectation.equals = value.get<bool>();
+    } else {
+      expectation.min = optional_number(value, "min");
+      expectation.max = optional_number(value, "max");
+    }
+    result.expect.push_back(expectation);
+  }
+}
+
+}  // namespace
+
+void read_option_sections(CaseReading& reading, Case& result) {
+  const Json& root = reading.document.root;
+  const auto clean = [&reading](const std::string& name) { return reading.issues.clean("/" + name); };
+  if (clean("metric")) read_metric(reading, root["metric"], result);
+  if (clean("targets")) read_targets(reading, root["targets"], result);
+  if (clean("mesher")) read_mesher(root["mesher"], result.mesher);
+  if (clean("initial")) result.initial_vertices = *optional_count(root["initial"], "vertices");
+  if (clean("output")) result.output.formats = root["output"]["formats"].get<std::vector<std::string>>();
+  if (clean("expect")) read_expectations(reading, root["expect"], result);
+}
+
+}  // namespace parmesan

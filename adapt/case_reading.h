@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapt/case.h"
+#include "adapt/case_document.h"
+#include "adapt/case_issues.h"
+
+namespace parmesan {
+
+/// A case half read: its JSON agrees with the schema where issues.clean() says so.
+struct CaseReading {
+  CaseDocument document;
+  CaseIssues issues;
+  std::map<std::string, double> parameters;
+
+  /// A number or an expression; nothing, and an issue, when it cannot be parsed.
+  std::optional<Expression> expression(const nlohmann::ordered_json& value, const std::string& pointer,
+                                       const std::vector<std::string>& extra_variables = {});
+};
+
+/// A domain with what boundary conditions need to know of it.
+struct CaseGeometry {
+  Domain domain;
+  std::vector<int> sides;     // labels that need a condition, ascending
+  std::vector<int> optional;  // labels that may have one: inside, or in a file
+};
+
+/// Reads /geometry. Nothing, and issues, when it cannot be used.
+/// Errors: FileError, GeometryError from a geometry file.
+std::optional<CaseGeometry> read_geometry_section(CaseReading& reading);
+
+/// Reads /problem into interpolation, exact and problem of the case. geometry may be null when
+/// it could not be read: then labels and regions are not checked.
+void read_problem_section(CaseReading& reading, const CaseGeometry* geometry, Case& result);
+
+/// Reads /metric, /targets, /mesher, /initial, /output and /expect.
+void read_option_sections(CaseReading& reading, Case& result);
+
+}  // namespace parmesan

@@ -1,0 +1,232 @@
+#include "adapt/case.h"
+
+namespace parmesan {
+namespace {
+
+// The one place that says which keys a case may have, of what type and range, and their defaults:
+// the reader checks and completes cases by it. "title" is how errors name what is allowed.
+constexpr const char* kSchema = R"schema({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "title": "Parmesan case",
+  "type": "object",
+  "required": ["geometry", "problem"],
+  "patternProperties": { "^x-": {} },
+  "additionalProperties": false,
+  "properties": {
+    "$schema": { "type": "string", "description": "for editors; not read" },
+    "name": { "type": "string", "description": "names the output folder; default: the file's name" },
+    "title": { "type": "string", "default": "", "description": "shown in reports" },
+    "parameters": {
+      "type": "object", "default": {}, "additionalProperties": { "$ref": "#/$defs/parameter" },
+      "description": "constants for expressions; one may use those before it"
+    },
+    "geometry": { "$ref": "#/$defs/geometry" },
+    "problem": { "anyOf": [{ "$ref": "#/$defs/interpolation" }, { "$ref": "#/$defs/equation" }] },
+    "metric": { "$ref": "#/$defs/metric", "default": {} },
+    "targets": { "$ref": "#/$defs/targets", "default": {} },
+    "mesher": { "$ref": "#/$defs/mesher", "default": {} },
+    "initial": { "$ref": "#/$defs/initial", "default": {} },
+    "output": { "$ref": "#/$defs/output", "default": {} },
+    "expect": { "$ref": "#/$defs/expect", "default": {} }
+  },
+  "$defs": {
+    "parameter": { "title": "a number or an expression of earlier parameters", "type": ["number", "string"] },
+    "constant": { "title": "a number or an expression of the parameters", "type": ["number", "string"] },
+    "scalar": { "title": "a number or an expression", "type": ["number", "string"] },
+    "vector": { "title": "a list [a, b]", "type": "array", "items": { "$ref": "#/$defs/scalar" },
+                "minItems": 2, "maxItems": 2 },
+    "tensor": { "title": "a matrix [[a, b], [b, c]]", "type": "array", "items": { "$ref": "#/$defs/vector" },
+                "minItems": 2, "maxItems": 2 },
+    "scalar_or_tensor": { "anyOf": [{ "$ref": "#/$defs/scalar" }, { "$ref": "#/$defs/tensor" }] },
+    "scalar_field": { "anyOf": [{ "$ref": "#/$defs/scalar" },
+      { "title": "an object region -> value", "type": "object", "minProperties": 1,
+        "additionalProperties": { "$ref": "#/$defs/scalar" } }] },
+    "vector_field": { "anyOf": [{ "$ref": "#/$defs/vector" },
+      { "title": "an object region -> value", "type": "object", "minProperties": 1,
+        "additionalProperties": { "$ref": "#/$defs/vector" } }] },
+    "tensor_field": { "anyOf": [{ "$ref": "#/$defs/scalar" }, { "$ref": "#/$defs/tensor" },
+      { "title": "an object region -> value", "type": "object", "minProperties": 1,
+        "additionalProperties": { "$ref": "#/$defs/scalar_or_tensor" } }] },
+    "point": { "title": "a point [x, y]", "type": "array", "items": { "$ref": "#/$defs/constant" },
+               "minItems": 2, "maxItems": 2 },
+    "ring": { "title": "a list of at least 3 points", "type": "array", "items": { "$ref": "#/$defs/point" },
+              "minItems": 3 },
+    "box": {
+      "type": "object", "required": ["min", "max"], "additionalProperties": false,
+      "patternProperties": { "^x-": {} },
+      "properties": { "min": { "$ref": "#/$defs/point" }, "max": { "$ref": "#/$defs/point" } }
+    },
+    "disc": {
+      "type": "object", "required": ["radius"], "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "center": { "$ref": "#/$defs/point", "default": [0, 0] },
+        "radius": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
+        "points": { "type": "integer", "minimum": 3, "maximum": 1000000, "default": 64,
+                    "description": "corners of the regular polygon that stands for the circle" }
+      }
+    },
+    "naca": {
+      "type": "object", "required": ["code", "channel"], "additionalProperties": false,
+      "patternProperties": { "^x-": {} },
+      "properties": {
+        "code": { "type": "string", "description": "four digits, such as 0012 or 2412" },
+        "chord": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "default": 1 },
+        "angle": { "$ref": "#/$defs/constant", "minimum": -90, "maximum": 90, "default": 0,
+                   "description": "angle of attack in degrees, nose up" },
+        "position": { "$ref": "#/$defs/point", "default": [0, 0], "description": "of the leading edge" },
+        "points": { "type": "integer", "minimum": 8, "maximum": 100000, "default": 120,
+                    "description": "around the airfoil" },
+        "channel": { "$ref": "#/$defs/box" }
+      }
+    },
+    "hole": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "oneOf": [{ "required": ["polygon"] }, { "required": ["disc"] }],
+      "properties": {
+        "polygon": { "$ref": "#/$defs/ring" },
+        "disc": { "$ref": "#/$defs/disc" },
+        "label": { "type": "string", "minLength": 1 }
+      }
+    },
+    "segment": {
+      "type": "object", "required": ["from", "to"], "additionalProperties": false,
+      "patternProperties": { "^x-": {} },
+      "properties": {
+        "from": { "$ref": "#/$defs/point" }, "to": { "$ref": "#/$defs/point" },
+        "label": { "type": "string", "minLength": 1, "default": "inside" }
+      }
+    },
+    "geometry": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "oneOf": [{ "required": ["rectangle"] }, { "required": ["disc"] }, { "required": ["polygon"] },
+                { "required": ["naca"] }, { "required": ["file"] }],
+      "properties": {
+        "rectangle": { "$ref": "#/$defs/box", "description": "sides: left, right, bottom, top" },
+        "disc": { "$ref": "#/$defs/disc", "description": "side: circle" },
+        "polygon": { "$ref": "#/$defs/ring", "description": "side: boundary, unless labels are given" },
+        "naca": { "$ref": "#/$defs/naca", "description": "sides: airfoil, left, right, bottom, top" },
+        "file": { "type": "string", "minLength": 1, "description": "beside or below the case file" },
+        "labels": {
+          "anyOf": [
+            { "title": "a list with a name per side of the polygon", "type": "array",
+              "items": { "type": "string", "minLength": 1 } },
+            { "title": "an object side -> new name", "type": "object",
+              "additionalProperties": { "type": "string", "minLength": 1 } }]
+        },
+        "holes": {
+          "type": "array",
+          "items": { "anyOf": [{ "$ref": "#/$defs/ring" }, { "$ref": "#/$defs/hole" }] },
+          "description": "sides: hole1, hole2, ..., unless a label is given"
+        },
+        "regions": { "type": "object", "additionalProperties": { "$ref": "#/$defs/point" },
+                     "description": "name -> a point in the region" },
+        "points": { "type": "array", "items": { "$ref": "#/$defs/point" }, "description": "vertices inside" },
+        "segments": { "type": "array", "items": { "$ref": "#/$defs/segment" }, "description": "edges inside" }
+      }
+    },
+    "interpolation": {
+      "type": "object", "required": ["interpolate"], "additionalProperties": false,
+      "patternProperties": { "^x-": {} },
+      "properties": { "interpolate": { "$ref": "#/$defs/scalar", "description": "the function to adapt to" } }
+    },
+    "equation": {
+      "description": "-div(diffusion grad u) + velocity.grad u + reaction u = source",
+      "type": "object", "required": ["boundary"], "additionalProperties": false,
+      "patternProperties": { "^x-": {} },
+      "properties": {
+        "diffusion": { "$ref": "#/$defs/tensor_field", "default": 1 },
+        "velocity": { "$ref": "#/$defs/vector_field", "default": [0, 0] },
+        "reaction": { "$ref": "#/$defs/scalar_field", "default": 0 },
+        "source": { "$ref": "#/$defs/scalar_field", "description": "default: derived from exact, else 0" },
+        "exact": { "$ref": "#/$defs/scalar", "description": "the exact solution" },
+        "stabilize": { "type": "boolean", "default": true,
+                       "description": "SUPG where the mesh Peclet number exceeds 1" },
+        "boundary": { "type": "object", "minProperties": 1, "additionalProperties": { "$ref": "#/$defs/condition" },
+                      "description": "per label, \"*\" for all others" }
+      }
+    },
+    "condition": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "oneOf": [{ "required": ["dirichlet"] }, { "required": ["neumann"] }, { "required": ["robin"] }],
+      "properties": {
+        "dirichlet": { "$ref": "#/$defs/scalar", "description": "u" },
+        "neumann": { "$ref": "#/$defs/scalar", "description": "n.K grad u" },
+        "robin": {
+          "type": "object", "required": ["coefficient", "value"], "additionalProperties": false,
+          "patternProperties": { "^x-": {} }, "description": "n.K grad u + coefficient u = value",
+          "properties": { "coefficient": { "$ref": "#/$defs/scalar" }, "value": { "$ref": "#/$defs/scalar" } }
+        }
+      }
+    },
+    "metric": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "kind": { "enum": ["sign-aware", "loseille-alauzet"], "default": "sign-aware" },
+        "norm": { "anyOf": [{ "type": "number", "minimum": 1 },
+                            { "enum": ["inf"] }], "default": 2,
+                  "description": "p of the Lp norm of the error to minimise" },
+        "recovery": { "enum": ["least-squares", "double-projection", "exact"], "default": "least-squares",
+                      "description": "where second derivatives come from" },
+        "h_min": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0, "description": "smallest size; 0: none" },
+        "h_max": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0,
+                   "description": "largest size; 0: a quarter of the domain's diameter" },
+        "max_aspect": { "$ref": "#/$defs/constant", "minimum": 1, "default": 1000000,
+                        "description": "largest ratio of the two sizes" },
+        "gradation": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0,
+                       "description": "growth of size per unit metric length, above 1; 0: none" }
+      }
+    },
+    "targets": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "l2_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
+        "h1_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
+        "linf_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
+        "vertices": { "type": "integer", "minimum": 3, "description": "aim at this size" },
+        "max_vertices": { "type": "integer", "minimum": 3, "description": "never ask for more" },
+        "max_iterations": { "type": "integer", "minimum": 1, "maximum": 10000, "default": 20 },
+        "max_seconds": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 }
+      }
+    },
+    "mesher": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "schedule": { "enum": ["fast"], "default": "fast" },
+        "preset": { "enum": ["fast", "mid", "good"], "default": "good" },
+        "seed": { "type": "integer", "minimum": 0, "default": 1 }
+      }
+    },
+    "initial": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": { "vertices": { "type": "integer", "minimum": 3, "default": 400,
+                                    "description": "size of the uniform mesh to start from" } }
+    },
+    "output": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": { "formats": { "type": "array", "items": { "enum": ["vtu", "mesh", "svg"] },
+                                   "default": ["vtu", "mesh", "svg"] } }
+    },
+    "limits": {
+      "type": "object", "minProperties": 1, "additionalProperties": false,
+      "properties": { "min": { "$ref": "#/$defs/constant" }, "max": { "$ref": "#/$defs/constant" } }
+    },
+    "expect": {
+      "type": "object", "description": "pass limits on fields of the last iteration in summary.json",
+      "patternProperties": { "^x-": {} },
+      "propertyNames": { "enum": [
+        "targets_met", "iteration", "vertices", "triangles", "complexity", "efficiency", "unit_edges",
+        "interpolation_error.l1", "interpolation_error.l2", "interpolation_error.linf", "interpolation_error.h1",
+        "solution_error.l2", "solution_error.linf", "solution_error.h1", "estimated_error.l2", "estimated_error.h1",
+        "edge_length.min", "edge_length.max", "quality.min", "quality.p01", "quality.mean",
+        "quality.min_away_from_corners", "seconds.mesh", "seconds.solve", "seconds.recover", "seconds.total",
+        "peak_memory_mb"] },
+      "additionalProperties": { "anyOf": [{ "type": "boolean" }, { "$ref": "#/$defs/limits" }] }
+    }
+  }
+})schema";
+
+}  // namespace
+
+nlohmann::ordered_json case_schema() { return nlohmann::ordered_json::parse(kSchema); }
+
+}  // namespace parmesan

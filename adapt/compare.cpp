@@ -1,0 +1,208 @@
+#include "adapt/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "adapt/adapt_loop.h"
+#include "adapt/number_text.h"
+#include "adapt/outputs.h"
+#include "adapt/stopwatch.h"
+#include "mesher/errors.h"
+#include "mesher/io/output_file.h"
+#include "mesher/triangulation/refine.h"
+
+namespace parmesan {
+namespace {
+
+constexpr std::array families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
+
+CompareRow row_of(MeshFamily family, const IterationRow& measured, double cpu_seconds) {
+  CompareRow row;
+  row.family = family;
+  row.vertices = measured.vertices;
+  row.triangles = measured.triangles;
+  row.efficiency = measured.efficiency;
+  row.cpu_seconds = cpu_seconds;
+  if (measured.solution_error) {
+    row.solution_l2 = measured.solution_error->l2;
+    row.solution_h1 = measured.solution_error->h1;
+  }
+  if (measured.interpolation_error) {
+    row.interpolation_l2 = measured.interpolation_error->l2;
+    row.interpolation_h1 = measured.interpolation_error->h1;
+  }
+  if (measured.estimated_error) {
+    row.estimated_l2 = measured.estimated_error->l2;
+    row.estimated_h1 = measured.estimated_error->h1;
+  }
+  return row;
+}
+
+// The case as a comparison runs it: to a given size, whatever its own targets are.
+Case aimed_at(const Case& input, std::int64_t vertices) {
+  Case aimed = input;
+  aimed.targets = {};
+  aimed.targets.vertices = vertices;
+  aimed.initial_vertices = std::min(input.initial_vertices, vertices);
+  return aimed;
+}
+
+double spent(const std::vector<IterationRow>& rows) {
+  double cpu = 0.0;
+  for (const IterationRow& row : rows) cpu += row.seconds.cpu;
+  return cpu;
+}
+
+/// The state of a comparison; compare_case() runs it.
+class Comparison {
+ public:
+  Comparison(const Case& input, const CompareOptions& options) : case_(input), options_(options) {
+    result_.case_name = input.name;
+  }
+
+  CompareResult run() {
+    adapted(MeshFamily::Anisotropic);
+    adapted(MeshFamily::Isotropic);
+    uniform();
+    for (const MeshFamily family : families) fit(family);
+    find_equivalents();
+    result_.interrupted = interrupted();
+    result_.exit_code = result_.interrupted ? was_interrupted : 0;
+    result_.table = compare_table(result_);
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr int was_interrupted = 130;
+
+  bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
+
+  void add(CompareRow row) {
+    std::string line = std::string(to_string(row.family)) + padded(std::to_string(row.vertices), 9) + " vertices  L2 " +
+                       short_number(row.leading_l2(), 4) + "  " + short_number(row.cpu_seconds, 3) + " s";
+    result_.rows.push_back(std::move(row));
+    if (options_.progress && !options_.quiet) options_.progress(line);
+  }
+
+  // From size to size, each started from the last mesh of the one before.
+  void adapted(MeshFamily family) {
+    LoopOptions loop;
+    loop.threads = options_.threads;
+    loop.interrupted = options_.interrupted;
+    loop.isotropic = family == MeshFamily::Isotropic;
+    loop.measure = error_measure(case_.targets);
+    Iterate last;
+    double cpu = 0.0;
+    for (const std::int64_t size : options_.sizes) {
+      if (interrupted()) return;
+      loop.limit = limit_;
+      LoopResult run = adapt(aimed_at(case_, size), loop);
+      if (interrupted()) return;
+      limit_ = run.limit;
+      cpu += spent(run.summary.iterations);
+      last = std::move(run.last);
+      loop.start = &last;
+      add(row_of(family, run.summary.iterations.back(), cpu));
+    }
+  }
+
+  // The given sizes, then red refinement until the best adapted error is reached.
+  void uniform() {
+    double best = std::numeric_limits<double>::infinity();
+    for (const CompareRow& row : result_.rows) best = std::min(best, row.leading_l2());
+    Iterate last;
+    for (const std::int64_t size : options_.sizes) {
+      if (interrupted()) return;
+      Iterate next = uniform_iterate(case_, static_cast<double>(size));
+      add_uniform(next, last);
+    }
+    constexpr double margin = 1.1;
+    const double largest = margin * static_cast<double>(options_.max_uniform_vertices);
+    while (!interrupted() && result_.rows.back().leading_l2() > best && 4.0 * last.mesh.num_vertices() <= largest) {
+      const Stopwatch watch;
+      Iterate next;
+      next.mesh = refine_red(last.mesh);
+      next.metrics.assign(next.mesh.points.size(), last.metrics.front().scaled(4.0));
+      next.complexity = 4.0 * last.complexity;
+      next.seconds.cpu = watch.cpu_seconds();
+      add_uniform(next, last);
+    }
+  }
+
+  void add_uniform(Iterate& next, Iterate& last) {
+    compute_values(case_, next, last.values.empty() ? nullptr : &last);
+    const IterationRow measured = measure(case_, next, 0, limit_);
+    add(row_of(MeshFamily::Uniform, measured, measured.seconds.cpu));
+    last = std::move(next);
+  }
+
+  void fit(MeshFamily family) {
+    std::vector<double> sizes, l2, h1;
+    for (const CompareRow& row : result_.rows) {
+      if (row.family != family) continue;
+      sizes.push_back(static_cast<double>(row.vertices));
+      l2.push_back(row.leading_l2());
+      h1.push_back(row.leading_h1());
+    }
+    result_.l2_orders.push_back(fit_order(sizes, l2));
+    result_.h1_orders.push_back(fit_order(sizes, h1));
+  }
+
+  void find_equivalents() {
+    std::vector<double> sizes, errors;
+    for (const CompareRow& row : result_.rows) {
+      if (row.family != MeshFamily::Uniform) continue;
+      sizes.push_back(static_cast<double>(row.vertices));
+      errors.push_back(row.leading_l2());
+    }
+    if (sizes.empty()) return;
+    for (const CompareRow& row : result_.rows) {
+      if (row.family == MeshFamily::Uniform) continue;
+      result_.equivalents.push_back(
+          {row.family, row.vertices, row.leading_l2(), size_for_error(sizes, errors, row.leading_l2())});
+    }
+  }
+
+  const Case& case_;
+  const CompareOptions& options_;
+  std::optional<InterpolationLimit> limit_;
+  CompareResult result_;
+};
+
+void check_sizes(const std::vector<std::int64_t>& sizes) {
+  constexpr std::int64_t smallest = 10;
+  if (sizes.empty()) throw InputError("a comparison needs at least one size");
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (sizes[k] < smallest || (k > 0 && sizes[k] <= sizes[k - 1]))
+      throw InputError("sizes must be ascending and at least 10 vertices, not " + std::to_string(sizes[k]));
+  }
+}
+
+}  // namespace
+
+double CompareRow::leading_l2() const {
+  constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+  return solution_l2 ? *solution_l2 : interpolation_l2 ? *interpolation_l2 : estimated_l2.value_or(absent);
+}
+
+double CompareRow::leading_h1() const {
+  constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+  return solution_h1 ? *solution_h1 : interpolation_h1 ? *interpolation_h1 : estimated_h1.value_or(absent);
+}
+
+CompareResult compare_case(const Case& input, const CompareOptions& options) {
+  check_sizes(options.sizes);
+  const std::string folder = options.out_dir.empty() ? input.name + ".compare" : options.out_dir;
+  prepare_folder(folder, options.overwrite);
+  write_file(folder + "/case.json", input.resolved.dump(2) + "\n");
+  CompareResult result = Comparison(input, options).run();
+  result.out_dir = folder;
+  write_file(folder + "/compare.csv", compare_csv(result));
+  write_file(folder + "/summary.json", to_json(result).dump(2) + "\n", true);
+  return result;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "adapt/case.h"
+#include "adapt/equal_error.h"
+#include "adapt/order_fit.h"
+
+namespace parmesan {
+
+/// The families of meshes that are compared.
+enum class MeshFamily { Anisotropic, Isotropic, Uniform };
+
+/// How a comparison is made.
+struct CompareOptions {
+  std::string out_dir;  // empty: the case's name + ".compare"
+  bool overwrite = false;
+  std::vector<std::int64_t> sizes{1000, 4000, 16000, 64000};  // vertices, ascending
+  std::int64_t max_uniform_vertices = 1'000'000;              // where the search for equal error ends
+  int threads = 0;                                            // 0: all cores
+  bool quiet = false;
+  std::function<void(const std::string&)> progress;  // gets one line per mesh
+  const std::atomic<bool>* interrupted = nullptr;
+};
+
+/// One mesh of one family. Absent values: no exact function, or no PDE.
+struct CompareRow {
+  MeshFamily family = MeshFamily::Anisotropic;
+  std::int64_t vertices = 0;
+  std::int64_t triangles = 0;
+  std::optional<double> solution_l2, solution_h1;
+  std::optional<double> interpolation_l2, interpolation_h1;
+  std::optional<double> estimated_l2, estimated_h1;
+  std::optional<double> efficiency;
+  double cpu_seconds = 0.0;  // mesh, solve and recover, of all passes up to this mesh; not the measuring
+
+  /// The error that is compared: of the solution, of the interpolant, or estimated, the first there is.
+  double leading_l2() const;
+  double leading_h1() const;
+};
+
+/// How many uniform vertices reach the L2 error of one adapted mesh.
+struct UniformEquivalent {
+  MeshFamily family = MeshFamily::Anisotropic;
+  std::int64_t vertices = 0;
+  double l2 = 0.0;
+  EqualError uniform;
+};
+
+/// The name of a family in tables and files: "anisotropic", "isotropic", "uniform".
+std::string_view to_string(MeshFamily family);
+
+/// Result of a comparison.
+struct CompareResult {
+  std::string case_name;
+  std::vector<CompareRow> rows;
+  std::vector<UniformEquivalent> equivalents;
+  std::vector<OrderFit> l2_orders, h1_orders;  // one per MeshFamily, in its order
+  bool interrupted = false;
+  int exit_code = 0;    // 0 or 130
+  std::string table;    // for the terminal
+  std::string out_dir;  // where compare.csv and summary.json are
+};
+
+/// The same case on anisotropic-adapted, isotropic-adapted and uniform meshes over a ladder of sizes.
+///
+/// Errors: as run_case; InputError for sizes that are not ascending or below 10.
+CompareResult compare_case(const Case& input, const CompareOptions& options);
+
+/// The table for the terminal.
+std::string compare_table(const CompareResult& result);
+
+/// compare.csv: one line per mesh.
+std::string compare_csv(const CompareResult& result);
+
+/// summary.json of a comparison; numbers that are not finite or absent are null.
+nlohmann::ordered_json to_json(const CompareResult& result);
+
+}  // namespace parmesan

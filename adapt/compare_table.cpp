@@ -1,0 +1,159 @@
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "adapt/compare.h"
+#include "adapt/number_text.h"
+
+namespace parmesan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
+constexpr std::array<std::size_t, 8> widths{11, 10, 12, 12, 12, 12, 12, 10};
+
+Json number(const std::optional<double>& x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }
+
+std::string cell(const std::optional<double>& x, int digits = 4) { return x ? short_number(*x, digits) : "-"; }
+
+std::string line(const std::array<std::string, 8>& cells) {
+  std::string text = cells[0] + std::string(widths[0] - cells[0].size(), ' ');
+  for (std::size_t k = 1; k < cells.size(); ++k) text += "  " + padded(cells[k], widths[k]);
+  return text + "\n";
+}
+
+std::string row_line(const CompareRow& row) {
+  const bool solved = row.solution_l2.has_value();
+  return line({std::string(to_string(row.family)), std::to_string(row.vertices),
+               cell(solved ? row.solution_l2 : row.estimated_l2), cell(row.interpolation_l2),
+               cell(solved ? row.solution_h1 : row.estimated_h1), cell(row.interpolation_h1), cell(row.efficiency, 4),
+               cell(row.cpu_seconds, 3)});
+}
+
+std::string order_text(const OrderFit& fit) {
+  if (fit.num_points < 2) return "-";
+  return short_number(fit.order, 3) + (fit.num_points > 2 ? " +- " + short_number(fit.uncertainty, 1) : "");
+}
+
+std::string orders(const CompareResult& result) {
+  std::string text = "\nfitted orders (error = c N^-order)\n";
+  for (std::size_t k = 0; k < families.size(); ++k) {
+    text += "  " + std::string(to_string(families[k])) + ": L2 " + order_text(result.l2_orders[k]) + ", H1 " +
+            order_text(result.h1_orders[k]) + "\n";
+  }
+  return text;
+}
+
+std::string equivalent_text(const UniformEquivalent& e) {
+  const std::string size = short_number(std::round(e.uniform.vertices), 7);
+  switch (e.uniform.found) {
+    case EqualError::Found::Interpolated:
+      return size + " (interpolated), ratio " + short_number(e.uniform.vertices / static_cast<double>(e.vertices), 3);
+    case EqualError::Found::BelowSmallest:
+      return "< " + size;
+    case EqualError::Found::NotReached:
+      return "> " + size + " (not reached), ratio > " +
+             short_number(e.uniform.vertices / static_cast<double>(e.vertices), 3);
+  }
+  return "";
+}
+
+std::string equivalents(const CompareResult& result) {
+  std::string text = "\nuniform vertices for the same L2 error\n";
+  for (const UniformEquivalent& e : result.equivalents) {
+    text += "  " + std::string(to_string(e.family)) + padded(std::to_string(e.vertices), 10) + ": " +
+            equivalent_text(e) + "\n";
+  }
+  return text;
+}
+
+Json equivalent_json(const UniformEquivalent& e) {
+  const bool reached = e.uniform.found == EqualError::Found::Interpolated;
+  return Json{{"family", to_string(e.family)},
+              {"vertices", e.vertices},
+              {"l2", number(e.l2)},
+              {"uniform_vertices", reached ? Json(e.uniform.vertices) : Json(nullptr)},
+              {"ratio", reached ? Json(e.uniform.vertices / static_cast<double>(e.vertices)) : Json(nullptr)},
+              {"reached", e.uniform.found != EqualError::Found::NotReached}};
+}
+
+Json row_json(const CompareRow& row) {
+  Json j;
+  j["family"] = to_string(row.family);
+  j["vertices"] = row.vertices;
+  j["triangles"] = row.triangles;
+  j["solution_error"] = {{"l2", number(row.solution_l2)}, {"h1", number(row.solution_h1)}};
+  j["interpolation_error"] = {{"l2", number(row.interpolation_l2)}, {"h1", number(row.interpolation_h1)}};
+  j["estimated_error"] = {{"l2", number(row.estimated_l2)}, {"h1", number(row.estimated_h1)}};
+  j["efficiency"] = number(row.efficiency);
+  j["cpu_seconds"] = number(row.cpu_seconds);
+  return j;
+}
+
+Json order_json(const OrderFit& fit) {
+  if (fit.num_points < 2) return nullptr;
+  return Json{{"order", number(fit.order)}, {"uncertainty", number(fit.uncertainty)}, {"points", fit.num_points}};
+}
+
+}  // namespace
+
+std::string_view to_string(MeshFamily family) {
+  switch (family) {
+    case MeshFamily::Anisotropic:
+      return "anisotropic";
+    case MeshFamily::Isotropic:
+      return "isotropic";
+    case MeshFamily::Uniform:
+      return "uniform";
+  }
+  return "";
+}
+
+std::string compare_table(const CompareResult& result) {
+  const bool solved = !result.rows.empty() && (result.rows[0].solution_l2 || result.rows[0].estimated_l2);
+  const bool estimated = solved && !result.rows[0].solution_l2;
+  std::string text = line({"mesh", "vertices", estimated ? "est. L2" : "solution L2", "interp. L2",
+                           estimated ? "est. H1" : "solution H1", "interp. H1", "efficiency", "CPU s"});
+  for (const CompareRow& row : result.rows) text += row_line(row);
+  if (result.l2_orders.size() == families.size()) text += orders(result);
+  if (!result.equivalents.empty()) text += equivalents(result);
+  return text;
+}
+
+std::string compare_csv(const CompareResult& result) {
+  std::string text =
+      "family,vertices,triangles,solution_l2,solution_h1,interpolation_l2,interpolation_h1,estimated_l2,estimated_h1,"
+      "efficiency,cpu_seconds\n";
+  for (const CompareRow& row : result.rows) {
+    text +=
+        std::string(to_string(row.family)) + "," + std::to_string(row.vertices) + "," + std::to_string(row.triangles);
+    for (const std::optional<double>& x :
+         {row.solution_l2, row.solution_h1, row.interpolation_l2, row.interpolation_h1, row.estimated_l2,
+          row.estimated_h1, row.efficiency, std::optional<double>(row.cpu_seconds)}) {
+      text += ",";
+      if (x && std::isfinite(*x)) text += number(x).dump();
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json to_json(const CompareResult& result) {
+  Json j;
+  j["case"] = result.case_name;
+  j["version"] = PARMESAN_VERSION;
+  j["interrupted"] = result.interrupted;
+  j["rows"] = Json::array();
+  for (const CompareRow& row : result.rows) j["rows"].push_back(row_json(row));
+  j["orders"] = Json::object();
+  for (std::size_t k = 0; k < result.l2_orders.size(); ++k) {
+    j["orders"][std::string(to_string(families[k]))] = {{"l2", order_json(result.l2_orders[k])},
+                                                        {"h1", order_json(result.h1_orders[k])}};
+  }
+  j["equal_error"] = Json::array();
+  for (const UniformEquivalent& e : result.equivalents) j["equal_error"].push_back(equivalent_json(e));
+  return j;
+}
+
+}  // namespace parmesan

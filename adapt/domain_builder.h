@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "adapt/shapes.h"
+#include "mesher/geometry/domain.h"
+
+namespace parmesan {
+
+/// Puts a domain together whose labels and regions have names; labels are numbered from 1.
+class DomainBuilder {
+ public:
+  DomainBuilder() = default;
+  explicit DomainBuilder(Domain domain);
+
+  /// sides: one name per side (side i starts at point i), or one for all.
+  void add_ring(const Ring& ring, const std::vector<std::string>& sides);
+
+  /// A ring with a hole seed inside.
+  void add_hole(const Ring& ring, const std::string& side);
+
+  void add_point(const Point& p) { domain_.points.push_back(p); }
+  void add_segment(const Point& a, const Point& b, const std::string& name);
+  void add_region(const std::string& name, const Point& seed);
+
+  /// Gives a label another name; several labels may come to have the same.
+  void rename(int label, const std::string& name) { domain_.label_names[label] = name; }
+
+  /// The labels that segments have, ascending.
+  std::vector<int> labels_in_use() const;
+
+  const Domain& domain() const { return domain_; }
+
+ private:
+  int label(const std::string& name);
+
+  Domain domain_;
+  std::map<std::string, int> label_of_name_;
+  int last_label_ = 0;
+};
+
+}  // namespace parmesan

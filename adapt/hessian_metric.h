@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "adapt/absolute_hessian.h"
+#include "adapt/case.h"
+#include "mesher/mesh.h"
+#include "mesher/metric/metric.h"
+
+namespace parmesan {
+
+/// Which error of the P1 interpolant a metric makes small.
+enum class ErrorMeasure { Lp, H1 };
+
+/// What is asked of a metric beyond the case's options.
+struct MetricRequest {
+  MetricOptions options;
+  ErrorMeasure measure = ErrorMeasure::Lp;
+  bool isotropic = false;      // the best metric of the form s I, from the largest |eigenvalue|
+  double complexity = 1000.0;  // integral of sqrt(det M) asked for
+};
+
+/// A metric per vertex and what the limits did to it.
+struct HessianMetric {
+  std::vector<Metric> metrics;
+  double complexity = 0.0;  // reached; differs from the one asked for where the limits forbid it
+  double floor = 0.0;       // smallest eigenvalue that |H| was given, in units of H
+  std::size_t clipped_h_min = 0, clipped_h_max = 0, clipped_aspect = 0, graded = 0;  // vertices
+};
+
+/// Integral of sqrt(det M) over the mesh, log-Euclidean in between, by the 7-point rule of vertices,
+/// edge midpoints and centroid (degree 3).
+double complexity(const Mesh& mesh, std::span<const Metric> metrics);
+
+/// A unit mesh of this complexity has N_V ~ 2 C / sqrt3 vertices.
+double complexity_for_vertices(double vertices);
+
+/// The density relative to det H > 0 that is best where det H < 0, for triangles equilateral in |H|
+/// (THEORY: 0.547, 1/2, 0.509, 0.75 for p = 1, 2, 4, infinity; in between linear in 1/p).
+double sign_factor(double norm);
+
+/// The smallest eigenvalue |H| is given: where det H vanishes, det^(-1/(2p+2)) would be infinite and
+/// a mesh blind. Chosen so that the whole domain at the floor would take 2 % of the complexity, but at
+/// least 1e-9 of the largest eigenvalue, and 1 where H vanishes identically.
+double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessians, const MetricRequest& request);
+
+/// |H| with the floor, scaled for the norm and the sign, before the factor D that sets the complexity.
+/// Lp: det^(-1/(2p+2)) |H| (Loseille & Alauzet 2011), times sign_factor where det H < 0.
+/// H1: tr^(1/2) det^(-1/4) |H|, times sqrt2 where det H < 0 (THEORY, "H1").
+SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, const MetricRequest& request);
+
+/// Sizes limited to [h_min, h_max], then the larger one to max_aspect times the smaller.
+Eigen2 limit_sizes(Eigen2 metric, const MetricOptions& limits);
+
+/// The stages in order: floors, norm and sign, sizes and aspect, gradation; then the factor D is
+/// iterated until the complexity after all of them is the one asked for. Limits win.
+///
+/// options.h_max = 0 means a quarter of the diagonal of the mesh's bounding box.
+/// Errors: InputError when the counts differ or a limit is not usable.
+HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHessian> hessians,
+                                   const MetricRequest& request);
+
+}  // namespace parmesan

@@ -1,0 +1,164 @@
+#include "adapt/iterate.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "adapt/stopwatch.h"
+#include "adapt/transfer.h"
+#include "fem/solve.h"
+#include "mesher/metric/background_mesh.h"
+#include "mesher/quality.h"
+
+namespace parmesan {
+namespace {
+
+Iterate generated(const Case& input, const MetricField& field, const Mesh* previous) {
+  const Stopwatch watch;
+  GenerateResult made = generate(input.domain, field, input.mesher, previous);
+  Iterate iterate;
+  iterate.warnings = std::move(made.report.warnings);
+  iterate.mesh = std::move(made.mesh);
+  iterate.seconds.mesh = watch.seconds();
+  iterate.seconds.cpu = watch.cpu_seconds();
+  return iterate;
+}
+
+std::vector<Metric> sampled(const MetricField& field, const Mesh& mesh) {
+  std::vector<Metric> metrics;
+  metrics.reserve(mesh.points.size());
+  MetricHint hint = -1;
+  for (const Point& p : mesh.points) metrics.push_back(field.at(p, hint));
+  return metrics;
+}
+
+// The largest resident set so far; Linux counts it in KiB.
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+double diagonal(const Domain& domain) {
+  Point low{HUGE_VAL, HUGE_VAL};
+  Point high{-HUGE_VAL, -HUGE_VAL};
+  for (const Point& p : domain.points) {
+    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y)};
+    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y)};
+  }
+  return norm(high - low);
+}
+
+void require_finite(const Case& input, const Iterate& iterate) {
+  for (std::size_t i = 0; i < iterate.values.size(); ++i) {
+    if (std::isfinite(iterate.values[i])) continue;
+    const Point& p = iterate.mesh.points[i];
+    throw ProblemError("/problem/interpolate: \"" + input.exact->text() + "\" is not finite at (" +
+                       std::to_string(p.x) + ", " + std::to_string(p.y) + ")");
+  }
+}
+
+void measure_errors(const Case& input, const Iterate& iterate, const std::optional<InterpolationLimit>& limit,
+                    IterationRow& row) {
+  if (!input.interpolation) row.estimated_error = estimate_error(iterate.mesh, iterate.values);
+  if (!input.exact) return;
+  const ExactFunction exact = exact_function(*input.exact);
+  const std::vector<double> nodal = input.interpolation ? iterate.values : interpolate(iterate.mesh, exact.value);
+  row.interpolation_error = error_norms(iterate.mesh, nodal, exact);
+  if (!input.interpolation) row.solution_error = error_norms(iterate.mesh, iterate.values, exact);
+  if (limit) row.efficiency = efficiency(row.interpolation_error->l2, iterate.mesh.num_triangles(), *limit);
+}
+
+}  // namespace
+
+double area(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sum += 0.5 * doubled_area(mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)],
+                              mesh.points[static_cast<std::size_t>(c)]);
+  }
+  return sum;
+}
+
+ExactFunction exact_function(const Expression& expression) {
+  return {[expression](const Point& p) { return expression.value(p); },
+          [expression](const Point& p) {
+            const Jet u = expression.jet(p);
+            return Vector{u.x, u.y};
+          }};
+}
+
+Iterate uniform_iterate(const Case& input, double vertices) {
+  constexpr double coarse_sizes = 8.0;  // per diagonal
+  const Stopwatch watch;
+  const ConstantField coarse(Metric::isotropic(diagonal(input.domain) / coarse_sizes));
+  const double domain_area = area(generate(input.domain, coarse, input.mesher).mesh);
+  const double wanted = complexity_for_vertices(vertices);
+  const ConstantField field(Metric::isotropic(std::sqrt(domain_area / wanted)));
+  Iterate iterate = generated(input, field, nullptr);
+  iterate.metrics = sampled(field, iterate.mesh);
+  iterate.complexity = wanted;
+  iterate.seconds.mesh = watch.seconds();
+  iterate.seconds.cpu = watch.cpu_seconds();
+  return iterate;
+}
+
+Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric) {
+  const BackgroundMesh field(previous.mesh, metric.metrics);
+  Iterate iterate = generated(input, field, &previous.mesh);
+  iterate.metrics = sampled(field, iterate.mesh);
+  iterate.complexity = metric.complexity;
+  return iterate;
+}
+
+void compute_values(const Case& input, Iterate& iterate, const Iterate* previous) {
+  const Stopwatch watch;
+  if (input.interpolation) {
+    iterate.values = interpolate(iterate.mesh, exact_function(input.exact.value()).value);
+    require_finite(input, iterate);
+  } else {
+    std::vector<double> guess;
+    if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
+    iterate.values = solve(iterate.mesh, input.problem, guess).values;
+  }
+  iterate.seconds.solve = watch.seconds();
+  iterate.seconds.cpu += watch.cpu_seconds();
+}
+
+std::vector<AbsoluteHessian> hessians_of(const Case& input, const Iterate& iterate) {
+  if (input.metric.exact_hessian && input.exact) return exact_absolute_hessians(iterate.mesh, *input.exact);
+  return absolute_hessians(iterate.mesh, recover_hessians(iterate.mesh, iterate.values, input.metric.recovery));
+}
+
+IterationRow measure(const Case& input, Iterate& iterate, int iteration,
+                     const std::optional<InterpolationLimit>& limit) {
+  const Stopwatch watch;
+  IterationRow row;
+  row.iteration = iteration;
+  row.vertices = iterate.mesh.num_vertices();
+  row.triangles = iterate.mesh.num_triangles();
+  row.complexity = iterate.complexity;
+  measure_errors(input, iterate, limit, row);
+  set_quality(row, iterate.mesh, measure_quality(iterate.mesh, iterate.metrics));
+  iterate.seconds.measure = watch.seconds();
+  row.seconds = iterate.seconds;
+  row.peak_memory_mb = peak_memory_mb();
+  return row;
+}
+
+ErrorNorms targeted_error(const Case& input, const IterationRow& row) {
+  if (input.interpolation) return row.interpolation_error.value_or(ErrorNorms{});
+  if (row.solution_error) return *row.solution_error;
+  ErrorNorms estimated;
+  estimated.l1 = estimated.linf = std::numeric_limits<double>::quiet_NaN();
+  if (row.estimated_error) {
+    estimated.l2 = row.estimated_error->l2;
+    estimated.h1 = row.estimated_error->h1;
+  }
+  return estimated;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "adapt/absolute_hessian.h"
+#include "adapt/case.h"
+#include "adapt/hessian_metric.h"
+#include "adapt/interpolation_limit.h"
+#include "adapt/summary.h"
+#include "fem/norms.h"
+#include "mesher/mesh.h"
+#include "mesher/metric/metric.h"
+
+namespace parmesan {
+
+/// One state of the adaptive loop: a mesh, the metric that was asked for, and the discrete function.
+struct Iterate {
+  Mesh mesh;
+  std::vector<Metric> metrics;  // asked of the mesher, re-evaluated at the vertices of the mesh
+  std::vector<double> values;   // nodal values of the solution, or of the interpolant
+  double complexity = 0.0;      // of the metric asked for
+  std::vector<std::string> warnings;
+  StageSeconds seconds;
+};
+
+/// Sum of the areas of the triangles. Units: L^2.
+double area(const Mesh& mesh);
+
+/// A uniform mesh of about this many vertices, without a discrete function.
+/// Errors: as generate. The size follows from the area, known from a coarse mesh made first.
+Iterate uniform_iterate(const Case& input, double vertices);
+
+/// The next mesh: the metric is sampled on the mesh of the previous iterate, whose particles are the
+/// start. The discrete function is not computed. Errors: as generate.
+Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric);
+
+/// Solves on the mesh of the iterate (or interpolates). previous: where an iterative solver's first
+/// guess is taken from, may be null. Errors: as solve.
+void compute_values(const Case& input, Iterate& iterate, const Iterate* previous);
+
+/// Second derivatives of the discrete function, recovered, or those of the exact one, as the case asks.
+std::vector<AbsoluteHessian> hessians_of(const Case& input, const Iterate& iterate);
+
+/// The case's exact function, for error norms.
+ExactFunction exact_function(const Expression& expression);
+
+/// Fills a row from an iterate: errors, efficiency, statistics in the metric, memory. Also sets
+/// iterate.seconds.measure.
+IterationRow measure(const Case& input, Iterate& iterate, int iteration,
+                     const std::optional<InterpolationLimit>& limit);
+
+/// The error norms that the case's targets are about: of the solution where it is known, the
+/// estimate for a PDE without exact solution, of the interpolant for interpolation. linf of an
+/// estimate is NaN.
+ErrorNorms targeted_error(const Case& input, const IterationRow& row);
+
+}  // namespace parmesan

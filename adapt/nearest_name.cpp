@@ -1,0 +1,60 @@
+#include "adapt/nearest_name.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace parmesan {
+namespace {
+
+constexpr std::size_t kLongestCompared = 64;  // nobody slips in names longer than this
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+}  // namespace
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string nearest_name(std::string_view written, std::span<const std::string> allowed) {
+  if (written.size() > kLongestCompared) return {};
+  std::string best;
+  std::size_t smallest = std::max<std::size_t>(1, written.size() / 2) + 1;
+  for (const std::string& name : allowed) {
+    const std::size_t distance = edit_distance(lower(written), lower(name));
+    if (distance >= smallest || distance >= name.size()) continue;
+    smallest = distance;
+    best = name;
+  }
+  return best;
+}
+
+std::string suggestion(std::string_view written, std::span<const std::string> allowed) {
+  const std::string nearest = nearest_name(written, allowed);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+std::string quoted_list(std::span<const std::string> names) {
+  if (names.empty()) return "(none)";
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
+  return list;
+}
+
+}  // namespace parmesan

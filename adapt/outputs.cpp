@@ -1,0 +1,128 @@
+#include "adapt/outputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "mesher/errors.h"
+#include "mesher/io/medit.h"
+#include "mesher/io/output_file.h"
+#include "mesher/io/svg.h"
+#include "mesher/io/vtu.h"
+
+namespace parmesan {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw FileError(path, 0, "cannot make the folder: " + error.message());
+}
+
+// Everything a run or a comparison writes, so that nothing of an earlier one is left to mislead.
+void remove_earlier_files(const std::string& path) {
+  constexpr std::array names{"summary.json", "report.html", "mesh.vtu",    "mesh.mesh",       "mesh.svg",  "run.pvd",
+                             "case.json",    "iterations",  "compare.csv", "convergence.csv", "checkpoint"};
+  for (const char* name : names) {
+    std::error_code error;
+    fs::remove_all(fs::path(path) / name, error);
+    if (error) throw FileError(path + "/" + name, 0, "cannot be removed: " + error.message());
+  }
+}
+
+std::string three_digits(std::size_t number) {
+  const std::string digits = std::to_string(number);
+  return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+// |u_h - u| at the centroid of each triangle; 0 where u is not finite.
+VtuField error_field(const Iterate& iterate, const Expression& exact) {
+  VtuField field{"error", 1, {}};
+  for (const auto& t : iterate.mesh.triangles) {
+    Point center;
+    double value = 0.0;
+    for (const int v : t) {
+      center = center + (1.0 / 3.0) * iterate.mesh.points[static_cast<std::size_t>(v)];
+      value += iterate.values[static_cast<std::size_t>(v)] / 3.0;
+    }
+    const double error = std::abs(value - exact.value(center));
+    field.values.push_back(std::isfinite(error) ? error : 0.0);
+  }
+  return field;
+}
+
+VtuFields fields_of(const Case& input, const Iterate& iterate) {
+  VtuFields fields;
+  fields.points.push_back({"solution", 1, iterate.values});
+  fields.points.push_back(tensor_field("metric", iterate.metrics));
+  if (input.exact) fields.cells.push_back(error_field(iterate, *input.exact));
+  return fields;
+}
+
+bool all_finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+}
+
+void write_picture(const std::string& path, const Case& input, const Iterate& last) {
+  SvgOptions options;
+  options.title = input.title.empty() ? input.name : input.title;
+  if (all_finite(last.values)) {
+    options.values = last.values;
+    options.values_name = "u";
+  }
+  write_svg(path, last.mesh, options);
+}
+
+}  // namespace
+
+void prepare_folder(const std::string& path, bool overwrite) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    throw FileError(path, 0, "exists and is not a folder; choose another one with --out");
+  make_folder(path);
+  const bool empty = fs::is_empty(path, error);
+  if (error) throw FileError(path, 0, "cannot be read: " + error.message());
+  if (!empty && !overwrite)
+    throw FileError(path, 0, "the folder is not empty; --overwrite replaces an earlier run, --out chooses another one");
+  if (!empty) remove_earlier_files(path);
+}
+
+RunFolder::RunFolder(const std::string& path, const Case& input, bool overwrite) : path_(path), case_(input) {
+  prepare_folder(path, overwrite);
+  write_file(file("case.json"), input.resolved.dump(2) + "\n");
+}
+
+bool RunFolder::wants(const std::string& format) const {
+  return std::ranges::find(case_.output.formats, format) != case_.output.formats.end();
+}
+
+void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row) {
+  num_iterations_ = static_cast<std::size_t>(row.iteration) + 1;
+  const std::string folder = file("iterations/" + three_digits(static_cast<std::size_t>(row.iteration)));
+  make_folder(folder);
+  if (wants("vtu")) write_vtu(folder + "/mesh.vtu", iterate.mesh, fields_of(case_, iterate));
+  if (!wants("mesh")) return;
+  write_medit(folder + "/mesh.mesh", iterate.mesh);
+  write_medit_metric(folder + "/metric.sol", iterate.metrics);
+}
+
+void RunFolder::finish(const Summary& summary, const Iterate& last) const {
+  if (wants("vtu")) {
+    std::vector<PvdEntry> entries;
+    for (std::size_t k = 0; k < num_iterations_; ++k)
+      entries.push_back({static_cast<double>(k), "iterations/" + three_digits(k) + "/mesh.vtu"});
+    write_pvd(file("run.pvd"), entries);
+    write_vtu(file("mesh.vtu"), last.mesh, fields_of(case_, last));
+  }
+  if (wants("mesh")) write_medit(file("mesh.mesh"), last.mesh);
+  if (wants("svg")) write_picture(file("mesh.svg"), case_, last);
+  write_file(file("convergence.csv"), convergence_csv(summary));
+  write_file(file("summary.json"), to_json(summary).dump(2) + "\n", true);
+}
+
+}  // namespace parmesan

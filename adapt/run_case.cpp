@@ -1,0 +1,98 @@
+#include "adapt/run_case.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "adapt/adapt_loop.h"
+#include "adapt/number_text.h"
+#include "adapt/outputs.h"
+
+namespace parmesan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int target_missed = 9;
+constexpr int was_interrupted = 130;
+
+std::string progress_line(const Case& input, const IterationRow& row) {
+  const ErrorNorms error = targeted_error(input, row);
+  const bool estimated = !input.interpolation && !row.solution_error;
+  std::string line = padded(std::to_string(row.iteration), 3) + padded(std::to_string(row.vertices), 9) +
+                     " vertices  " + (estimated ? "estimated L2 " : "L2 ") + short_number(error.l2, 3) + "  H1 " +
+                     short_number(error.h1, 3);
+  if (row.efficiency) line += "  efficiency " + short_number(*row.efficiency, 3);
+  line += "  unit edges " + short_number(100.0 * row.unit_edges, 3) + " %  quality " +
+          short_number(row.quality_mean, 3) + " (min " + short_number(row.quality_min, 2) + ")  " +
+          short_number(row.seconds.total(), 2) + " s";
+  return line;
+}
+
+// The value of a dotted name in the last iteration, else in the summary itself; null when absent.
+Json value_of(const std::string& name, const Json& summary) {
+  std::string pointer = "/" + name;
+  std::ranges::replace(pointer, '.', '/');
+  const Json::json_pointer where(pointer);
+  const Json& rows = summary["iterations"];
+  if (!rows.empty() && rows.back().contains(where)) return rows.back()[where];
+  return summary.contains(where) ? summary[where] : Json(nullptr);
+}
+
+std::string limits_text(const Expectation& expected) {
+  std::string text;
+  if (expected.min) text += ", min " + short_number(*expected.min, 6);
+  if (expected.max) text += ", max " + short_number(*expected.max, 6);
+  if (expected.equals) text += std::string(", expected ") + (*expected.equals ? "true" : "false");
+  return text;
+}
+
+Verdict verdict(const Expectation& expected, const Json& summary) {
+  const Json value = value_of(expected.name, summary);
+  bool passed = true;
+  if (expected.min || expected.max) {
+    passed = value.is_number() && (!expected.min || value.get<double>() >= *expected.min) &&
+             (!expected.max || value.get<double>() <= *expected.max);
+  }
+  if (expected.equals) passed = passed && value.is_boolean() && value.get<bool>() == *expected.equals;
+  return {expected.name, passed, expected.name + " = " + value.dump() + limits_text(expected)};
+}
+
+int number_of_threads(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+int exit_code(const Summary& summary) {
+  if (summary.stop_reason == StopReason::Interrupted) return was_interrupted;
+  return summary.error_targets_declared && !summary.targets_met ? target_missed : 0;
+}
+
+}  // namespace
+
+std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const Summary& summary) {
+  const Json json = to_json(summary);
+  std::vector<Verdict> verdicts;
+  for (const Expectation& expected : expectations) verdicts.push_back(verdict(expected, json));
+  return verdicts;
+}
+
+RunResult run_case(const Case& input, const RunOptions& options) {
+  RunFolder folder(options.out_dir.empty() ? input.name + ".out" : options.out_dir, input, options.overwrite);
+  LoopOptions loop;
+  loop.threads = number_of_threads(options.threads);
+  loop.max_vertices = options.max_vertices;
+  loop.interrupted = options.interrupted;
+  loop.observer = [&](const Iterate& iterate, const IterationRow& row) {
+    folder.write_iteration(iterate, row);
+    if (options.progress && !options.quiet) options.progress(progress_line(input, row));
+  };
+  LoopResult run = adapt(input, loop);
+  folder.finish(run.summary, run.last);
+  RunResult result;
+  result.exit_code = exit_code(run.summary);
+  result.out_dir = folder.path();
+  result.verdicts = verify(input.expect, run.summary);
+  result.summary = std::move(run.summary);
+  return result;
+}
+
+}  // namespace parmesan

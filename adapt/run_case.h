@@ -1,0 +1,46 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "adapt/case.h"
+#include "adapt/summary.h"
+
+namespace parmesan {
+
+/// How a case is run; nothing here changes the result but the safety limit.
+struct RunOptions {
+  std::string out_dir;  // empty: the case's name + ".out"
+  bool overwrite = false;
+  int threads = 0;                                   // 0: all cores
+  bool quiet = false;                                // no progress lines
+  std::function<void(const std::string&)> progress;  // gets one line per iteration, without newline
+  const std::atomic<bool>* interrupted = nullptr;    // looked at between stages
+  std::int64_t max_vertices = 10'000'000;            // safety limit, LimitError beyond
+};
+
+/// What came of a run.
+struct RunResult {
+  Summary summary;
+  int exit_code = 0;              // 0, 9 (a declared error target was missed) or 130 (interrupted)
+  std::string out_dir;            // where the files are
+  std::vector<Verdict> verdicts;  // one per "expect" of the case
+};
+
+/// The adaptive loop of a case, with its output folder (INTERFACE: "What a run leaves in its folder").
+///
+/// Errors: FileError (the folder exists, or cannot be written), ProblemError, GeometryError,
+/// MeshingError, SolveError, LimitError; then no final file (mesh.*, summary.json) is left.
+RunResult run_case(const Case& input, const RunOptions& options);
+
+/// Compares the last row of a run with the case's pass limits.
+///
+/// A name is a dotted path into the last iteration of summary.json ("efficiency",
+/// "solution_error.l2", "vertices") or into summary.json itself ("targets_met", "stop_reason").
+/// A value that is absent or null fails.
+std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const Summary& summary);
+
+}  // namespace parmesan

@@ -1,0 +1,107 @@
+#include "adapt/sizing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace parmesan {
+namespace {
+
+constexpr double same_size = 1.25;  // sizes within this factor count as one rung of the ladder
+constexpr double max_growth = 4.0;
+constexpr double margin = 0.02;         // on a predicted size, doubled after each pass that missed by a little
+constexpr double careful_growth = 1.5;  // a prediction beyond is approached from below
+constexpr double careful_share = 0.75;
+constexpr double still_falling = 1.5;
+constexpr double settled_gain = 1.05;
+constexpr int max_passes = 8;
+
+bool same_rung(const SizeStep& a, const SizeStep& b) {
+  return a.asked <= same_size * b.asked && b.asked <= same_size * a.asked;
+}
+
+// Where the last rung starts in the history.
+std::size_t rung_start(std::span<const SizeStep> history) {
+  std::size_t first = history.size() - 1;
+  while (first > 0 && same_rung(history[first - 1], history.back())) --first;
+  return first;
+}
+
+// How much error * vertices fell with the last step, whatever the sizes were.
+double gain_of_last_pass(std::span<const SizeStep> history) {
+  const SizeStep& before = history[history.size() - 2];
+  return before.error * before.vertices / (history.back().error * history.back().vertices);
+}
+
+bool settled(std::span<const SizeStep> history, bool last_rung) {
+  const auto rung = history.subspan(rung_start(history));
+  const auto passes = std::ranges::count_if(rung, &SizeStep::adapted);
+  if (passes >= max_passes) return true;
+  if (passes == 0) return false;
+  const double gain = gain_of_last_pass(history);
+  if (last_rung) return passes >= 3 && gain < settled_gain;
+  if (rung_start(history) == 0) return passes >= 3 && gain < still_falling;
+  return gain < still_falling && (passes >= 2 || gain > 1.0 / same_size);
+}
+
+bool stagnated(std::span<const SizeStep> history) {
+  constexpr std::size_t window = 4;
+  if (history.size() < window + 3) return false;
+  const auto smaller = [](const SizeStep& a, const SizeStep& b) { return a.error < b.error; };
+  const auto split = history.end() - static_cast<std::ptrdiff_t>(window);
+  const double before = std::min_element(history.begin(), split, smaller)->error;
+  const double lately = std::min_element(split, history.end(), smaller)->error;
+  return lately > 0.98 * before;
+}
+
+// Passes on the last rung whose error was within 1.25 of the targets.
+int near_misses(std::span<const SizeStep> history) {
+  const auto rung = history.subspan(rung_start(history));
+  return static_cast<int>(
+      std::count_if(rung.begin(), rung.end(), [](const SizeStep& s) { return s.adapted && s.error <= same_size; }));
+}
+
+double wanted_size(std::span<const SizeStep> history, const SizeGoal& goal) {
+  const SizeStep& last = history.back();
+  if (goal.error_targets) {
+    const double predicted = predicted_vertices(last.vertices, last.error, 1.0, observed_order(history));
+    if (predicted > careful_growth * last.asked)
+      return std::max(careful_share * predicted, careful_growth * last.asked);
+    return (1.0 + margin * std::exp2(std::clamp(near_misses(history) - 1, 0, 3))) * predicted;
+  }
+  if (goal.vertices) return *goal.vertices;
+  return goal.cap ? *goal.cap : last.asked;
+}
+
+}  // namespace
+
+double predicted_vertices(double vertices, double error, double target, double order) {
+  return vertices * std::pow(error / target, 1.0 / order);
+}
+
+double observed_order(std::span<const SizeStep> history) {
+  const std::size_t first = rung_start(history);
+  if (first == 0) return 1.0;
+  const SizeStep& before = history[first - 1];
+  const SizeStep& now = history.back();
+  if (!before.adapted || now.vertices <= before.vertices) return 1.0;
+  return std::clamp(std::log(before.error / now.error) / std::log(now.vertices / before.vertices), 0.4, 1.1);
+}
+
+SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) {
+  const SizeStep& last = history.back();
+  if (goal.error_targets && last.error <= 1.0) return {last.asked, StopReason::ErrorTarget};
+  const bool at_cap = goal.cap && last.asked >= *goal.cap * (1.0 - 1e-12);
+  const bool at_size = !goal.error_targets && goal.vertices && last.asked >= *goal.vertices * (1.0 - 1e-12);
+  const bool aimless = !goal.error_targets && !goal.vertices && !goal.cap;
+  const double wanted = std::min(wanted_size(history, goal), goal.cap.value_or(HUGE_VAL));
+  const bool near_target = goal.error_targets && last.adapted && !at_cap && wanted <= same_size * last.asked;
+  if (!near_target && !settled(history, at_cap || at_size || aimless)) return {last.asked, std::nullopt};
+  if (at_size) return {last.asked, StopReason::Vertices};
+  if (at_cap) return {last.asked, StopReason::VertexBudget};
+  if (aimless) return {last.asked, StopReason::Unchanged};
+  if (stagnated(history)) return {last.asked, StopReason::Stagnated};
+  return {std::clamp(wanted, last.asked, max_growth * last.asked), std::nullopt};
+}
+
+}  // namespace parmesan

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "adapt/summary.h"
+
+namespace parmesan {
+
+/// What one pass of the loop gave, as far as the choice of the next size is concerned.
+struct SizeStep {
+  double asked = 0.0;     // vertices asked of the mesher
+  double vertices = 0.0;  // vertices it gave
+  double error = 0.0;     // falls like 1 / vertices: an L2 error, or the square of an H1 error. With
+                          // error targets: the largest error / target, so 1 means all are met
+  bool adapted = true;    // false for the uniform mesh at the start
+};
+
+/// Where the sizes are to lead.
+struct SizeGoal {
+  bool error_targets = false;      // until SizeStep::error <= 1
+  std::optional<double> vertices;  // until this size
+  std::optional<double> cap;       // never ask for more
+};
+
+/// The size to ask for next, or why there is none.
+struct SizeDecision {
+  double asked = 0.0;
+  std::optional<StopReason> stop;
+};
+
+/// Vertices at which an error that falls like vertices^-order reaches the target.
+double predicted_vertices(double vertices, double error, double target, double order);
+
+/// The order with which SizeStep::error fell between the last passes at the last two sizes, limited to
+/// [0.4, 1.1]; 1 when there is only one size.
+double observed_order(std::span<const SizeStep> history);
+
+/// A ladder of sizes, several passes on each so that mesh and solution settle:
+/// - the first size is repeated while a pass still reduces the error by more than 1.5, at least 3 times;
+/// - a further size is repeated while error * vertices falls by more than 1.5, and once if it rose by
+///   more than 1.25 against the size before;
+/// - the last size (the one aimed at, or the cap) until a pass gains less than 5 %, at least 3 passes;
+/// - no size more than 8 times, and none grows by more than 4 times;
+/// - towards error targets the next size is predicted with the observed order and 2 % on top, doubled
+///   up to 16 % after each pass that missed by little: meshes follow small changes of size with delay.
+///   Of a prediction beyond 1.5 times the last size only 3/4 is asked for: a mesh that has not yet
+///   found all of a layer improves faster than the observed order says.
+///
+/// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (4 passes in which neither the error fell
+/// by 2 %), or Unchanged when nothing is aimed at and the first size has settled.
+SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal);
+
+}  // namespace parmesan

@@ -1,0 +1,175 @@
+#include "adapt/summary.h"
+
+#include <array>
+#include <cmath>
+
+namespace parmesan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json norms(const std::optional<ErrorNorms>& e, bool with_l1) {
+  if (!e) return nullptr;
+  Json j;
+  if (with_l1) j["l1"] = number(e->l1);
+  j["l2"] = number(e->l2);
+  j["linf"] = number(e->linf);
+  j["h1"] = number(e->h1);
+  if (e->num_nonfinite > 0) j["nonfinite_points"] = e->num_nonfinite;
+  return j;
+}
+
+Json estimate(const std::optional<EstimatedError>& e) {
+  if (!e) return nullptr;
+  return Json{{"l2", number(e->l2)}, {"h1", number(e->h1)}};
+}
+
+Json seconds(const StageSeconds& s) {
+  return Json{{"mesh", s.mesh},       {"solve", s.solve},   {"recover", s.recover},
+              {"measure", s.measure}, {"total", s.total()}, {"cpu", s.cpu}};
+}
+
+/// One column of convergence.csv: its name and where the value stands in a row's JSON.
+struct Column {
+  const char* name;
+  const char* pointer;
+};
+
+constexpr std::array<Column, 33> columns{{
+    {"iteration", "/iteration"},
+    {"vertices", "/vertices"},
+    {"triangles", "/triangles"},
+    {"complexity", "/complexity"},
+    {"interpolation_l1", "/interpolation_error/l1"},
+    {"interpolation_l2", "/interpolation_error/l2"},
+    {"interpolation_linf", "/interpolation_error/linf"},
+    {"interpolation_h1", "/interpolation_error/h1"},
+    {"efficiency", "/efficiency"},
+    {"solution_l2", "/solution_error/l2"},
+    {"solution_linf", "/solution_error/linf"},
+    {"solution_h1", "/solution_error/h1"},
+    {"estimated_l2", "/estimated_error/l2"},
+    {"estimated_h1", "/estimated_error/h1"},
+    {"goal_value", "/goal/value"},
+    {"goal_estimate", "/goal/estimate"},
+    {"unit_edges", "/unit_edges"},
+    {"edge_length_min", "/edge_length/min"},
+    {"edge_length_max", "/edge_length/max"},
+    {"quality_min", "/quality/min"},
+    {"quality_p01", "/quality/p01"},
+    {"quality_mean", "/quality/mean"},
+    {"quality_min_away_from_corners", "/quality/min_away_from_corners"},
+    {"worst_x", "/worst_element/x"},
+    {"worst_y", "/worst_element/y"},
+    {"worst_quality", "/worst_element/quality"},
+    {"seconds_mesh", "/seconds/mesh"},
+    {"seconds_solve", "/seconds/solve"},
+    {"seconds_recover", "/seconds/recover"},
+    {"seconds_measure", "/seconds/measure"},
+    {"seconds_total", "/seconds/total"},
+    {"seconds_cpu", "/seconds/cpu"},
+    {"peak_memory_mb", "/peak_memory_mb"},
+}};
+
+// The cell of a column: the number as JSON writes it, empty where it is absent or null.
+std::string cell(const Json& row, const char* pointer) {
+  const Json::json_pointer where(pointer);
+  if (!row.contains(where) || row[where].is_null()) return {};
+  return row[where].dump();
+}
+
+}  // namespace
+
+std::string_view to_string(StopReason reason) {
+  switch (reason) {
+    case StopReason::ErrorTarget:
+      return "error_target";
+    case StopReason::Vertices:
+      return "vertices";
+    case StopReason::VertexBudget:
+      return "vertex_budget";
+    case StopReason::TimeBudget:
+      return "time_budget";
+    case StopReason::MaxIterations:
+      return "max_iterations";
+    case StopReason::Unchanged:
+      return "unchanged";
+    case StopReason::Floor:
+      return "floor";
+    case StopReason::Stagnated:
+      return "stagnated";
+    case StopReason::Interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+void set_quality(IterationRow& row, const Mesh& mesh, const MeshQuality& quality) {
+  row.unit_edges = quality.unit_edges;
+  row.length_min = quality.length_min;
+  row.length_max = quality.length_max;
+  row.quality_min = quality.quality_min;
+  row.quality_p01 = quality.quality_p01;
+  row.quality_mean = quality.quality_mean;
+  row.quality_min_away_from_corners = quality.quality_min_away_from_corners;
+  if (quality.worst_triangle < 0) return;
+  Point center;
+  for (const int v : mesh.triangles[static_cast<std::size_t>(quality.worst_triangle)])
+    center = center + (1.0 / 3.0) * mesh.points[static_cast<std::size_t>(v)];
+  row.worst = {center, quality.quality_min};
+}
+
+nlohmann::ordered_json to_json(const IterationRow& row) {
+  Json j;
+  j["iteration"] = row.iteration;
+  j["vertices"] = row.vertices;
+  j["triangles"] = row.triangles;
+  j["complexity"] = number(row.complexity);
+  j["interpolation_error"] = norms(row.interpolation_error, true);
+  j["efficiency"] = row.efficiency ? number(*row.efficiency) : Json(nullptr);
+  j["solution_error"] = norms(row.solution_error, false);
+  j["estimated_error"] = estimate(row.estimated_error);
+  j["goal"] = nullptr;
+  j["unit_edges"] = number(row.unit_edges);
+  j["edge_length"] = {{"min", number(row.length_min)}, {"max", number(row.length_max)}};
+  j["quality"] = {{"min", number(row.quality_min)},
+                  {"p01", number(row.quality_p01)},
+                  {"mean", number(row.quality_mean)},
+                  {"min_away_from_corners", number(row.quality_min_away_from_corners)}};
+  j["worst_element"] = {
+      {"x", number(row.worst.center.x)}, {"y", number(row.worst.center.y)}, {"quality", number(row.worst.quality)}};
+  j["seconds"] = seconds(row.seconds);
+  j["peak_memory_mb"] = number(row.peak_memory_mb);
+  return j;
+}
+
+nlohmann::ordered_json to_json(const Summary& summary) {
+  Json j;
+  j["case"] = summary.case_name;
+  j["version"] = PARMESAN_VERSION;
+  j["seed"] = summary.seed;
+  j["threads"] = summary.threads;
+  j["stop_reason"] = to_string(summary.stop_reason);
+  j["targets_met"] = summary.targets_met;
+  j["interpolation_limit"] = summary.interpolation_limit ? number(*summary.interpolation_limit) : Json(nullptr);
+  j["warnings"] = summary.warnings;
+  j["iterations"] = Json::array();
+  for (const IterationRow& row : summary.iterations) j["iterations"].push_back(to_json(row));
+  return j;
+}
+
+std::string convergence_csv(const Summary& summary) {
+  std::string text;
+  for (const Column& c : columns) text += (text.empty() ? "" : ",") + std::string(c.name);
+  text += '\n';
+  for (const IterationRow& row : summary.iterations) {
+    const Json json = to_json(row);
+    for (std::size_t k = 0; k < columns.size(); ++k) text += (k > 0 ? "," : "") + cell(json, columns[k].pointer);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fem/norms.h"
+#include "fem/recovery.h"
+#include "mesher/geometry/point.h"
+#include "mesher/quality.h"
+
+namespace parmesan {
+
+/// Why a run ended. Goal targets have no reason of their own yet.
+enum class StopReason {
+  ErrorTarget,    // all declared error targets met
+  Vertices,       // the size aimed at was reached and nothing else was declared
+  VertexBudget,   // a larger mesh would exceed max_vertices
+  TimeBudget,     // max_seconds are over
+  MaxIterations,  // max_iterations rows were made
+  Unchanged,      // the mesh no longer changes
+  Floor,          // the error is round-off
+  Stagnated,      // more vertices no longer reduce the error, or size limits forbid more
+  Interrupted     // the user asked to stop
+};
+
+/// The name used in summary.json, e.g. "error_target".
+std::string_view to_string(StopReason reason);
+
+/// Where the triangle of the lowest quality lies. Units: L.
+struct WorstElement {
+  Point center;
+  double quality = 0.0;
+};
+
+/// Wall times of one iteration. Units: s.
+struct StageSeconds {
+  double mesh = 0.0;
+  double solve = 0.0;
+  double recover = 0.0;  // Hessians and the metric for the next mesh
+  double measure = 0.0;  // error norms and metric statistics
+  double cpu = 0.0;      // processor time of mesh, solve and recover, all threads
+  double total() const { return mesh + solve + recover + measure; }
+};
+
+/// One row of the report: a mesh, what it is worth and what it cost. Absent values are null.
+struct IterationRow {
+  int iteration = 0;
+  std::int64_t vertices = 0;
+  std::int64_t triangles = 0;
+  double complexity = 0.0;  // integral of sqrt(det M) of the metric asked for
+  std::optional<ErrorNorms> interpolation_error;
+  std::optional<double> efficiency;
+  std::optional<ErrorNorms> solution_error;
+  std::optional<EstimatedError> estimated_error;
+  double unit_edges = 0.0;
+  double length_min = 0.0, length_max = 0.0;
+  double quality_min = 0.0, quality_p01 = 0.0, quality_mean = 0.0, quality_min_away_from_corners = 0.0;
+  WorstElement worst;
+  StageSeconds seconds;
+  double peak_memory_mb = 0.0;
+};
+
+/// A pass limit of the case and what the run gave.
+struct Verdict {
+  std::string name;
+  bool passed = false;
+  std::string message;  // e.g. "efficiency = 1.23, max 1.1"
+};
+
+/// What a run was and what came of it: the content of summary.json.
+struct Summary {
+  std::string case_name;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  StopReason stop_reason = StopReason::MaxIterations;
+  bool error_targets_declared = false;
+  bool targets_met = false;
+  std::optional<double> interpolation_limit;  // N_T ||u - I_h u||_L2 of the best meshes
+  std::vector<std::string> warnings;
+  std::vector<IterationRow> iterations;
+};
+
+/// Copies the statistics of a mesh in its metric into a row.
+void set_quality(IterationRow& row, const Mesh& mesh, const MeshQuality& quality);
+
+/// One row as summary.json has it.
+nlohmann::ordered_json to_json(const IterationRow& row);
+
+/// summary.json. Numbers that are not finite become null.
+nlohmann::ordered_json to_json(const Summary& summary);
+
+/// convergence.csv: a header and one line per iteration, absent values empty.
+std::string convergence_csv(const Summary& summary);
+
+}  // namespace parmesan
