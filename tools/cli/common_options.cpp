@@ -1,0 +1,126 @@
+#include "tools/cli/common_options.h"
+
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "tools/cli/exit_code.h"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace parmesan {
+namespace {
+
+template <class T>
+std::optional<T> parse_number(const std::string& text) {
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+void set_limit(Limits& limits, const std::string& text) {
+  const NameValue pair = split_name_value(text, "--limit");
+  const std::int64_t value = parse_positive_integer(pair.value, "--limit " + pair.name);
+  if (pair.name == "vertices") {
+    limits.vertices = value;
+  } else if (pair.name == "memory_mb") {
+    limits.memory_mb = value;
+  } else if (pair.name == "seconds") {
+    limits.seconds = value;
+  } else {
+    throw CLI::ValidationError("--limit", "'" + pair.name + "' is none of vertices, memory_mb, seconds");
+  }
+}
+
+// Beyond the limit operator new throws std::bad_alloc, which ends the program in an orderly way.
+void limit_memory([[maybe_unused]] std::int64_t megabytes) {
+#ifndef __SANITIZE_ADDRESS__  // whose shadow memory counts
+  const auto pages = static_cast<rlim_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
+  const rlim_t machine = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) / 10 * 9;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  const rlim_t wanted = megabytes > 0 ? static_cast<rlim_t>(megabytes) << 20 : machine;
+  if (wanted == 0 || wanted > limit.rlim_max) return;
+  limit.rlim_cur = wanted;
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
+extern "C" void stop_at_time_limit(int) {
+  constexpr std::string_view message = "parmesan: error: the time allowed by --limit seconds is over\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+  _exit(static_cast<int>(ExitCode::LimitHit));
+}
+
+void limit_time(std::int64_t seconds) {
+  if (seconds == 0) return;
+  signal(SIGALRM, stop_at_time_limit);
+  alarm(static_cast<unsigned>(std::min<std::int64_t>(seconds, 1'000'000'000)));
+}
+
+}  // namespace
+
+NameValue split_name_value(const std::string& text, const std::string& option) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) throw CLI::ValidationError(option, "'" + text + "' is not of the form name=value");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::int64_t parse_positive_integer(const std::string& text, const std::string& option) {
+  const auto value = parse_number<std::int64_t>(text);
+  if (!value || *value <= 0) throw CLI::ValidationError(option, "'" + text + "' is not a positive whole number");
+  return *value;
+}
+
+double parse_share(const std::string& text, const std::string& option) {
+  const auto value = parse_number<double>(text);
+  if (!value || !(*value >= 0.0 && *value <= 1.0)) {
+    throw CLI::ValidationError(option, "'" + text + "' is not a number from 0 to 1");
+  }
+  return *value;
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+  constexpr const char* group = "Common options";
+  command.add_flag("-q,--quiet", options.quiet, "No log, no summary")->group(group);
+  command.add_flag("-v,--verbose", options.verbose, "More log")->group(group);
+  command.add_option("--threads", options.threads, "Threads [all cores]; the result does not depend on it")
+      ->check(CLI::Range(1, 4096))
+      ->option_text("N")
+      ->group(group);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--limit",
+          [&options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) set_limit(options.limits, text);
+          },
+          "Safety limit: vertices=N [10000000], memory_mb=N [9/10 of the machine], seconds=N [none]")
+      ->option_text("NAME=N")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+void add_seed_option(CLI::App& command, CommonOptions& options) {
+  command.add_option("--seed", options.seed, "Seed of the random engine; same input, same seed, same bits")
+      ->option_text("N")
+      ->group("Common options");
+}
+
+void apply(const CommonOptions& options) {
+  limit_memory(options.limits.memory_mb);
+  limit_time(options.limits.seconds);
+#ifdef _OPENMP
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+#endif
+}
+
+}  // namespace parmesan

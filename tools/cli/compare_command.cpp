@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "adapt/compare.h"
+#include "tools/cli/case_options.h"
+#include "tools/cli/commands.h"
+#include "tools/cli/escape.h"
+#include "tools/cli/interrupt.h"
+
+namespace parmesan {
+namespace {
+
+struct CompareArguments {
+  CaseOptions input;
+  CommonOptions common;
+  std::vector<std::int64_t> sizes;
+};
+
+CompareOptions compare_options(const CompareArguments& arguments) {
+  CompareOptions options;
+  options.out_dir = arguments.input.out_dir;
+  options.overwrite = arguments.input.overwrite;
+  if (!arguments.sizes.empty()) options.sizes = arguments.sizes;
+  options.max_uniform_vertices = std::min(options.max_uniform_vertices, arguments.common.limits.vertices);
+  options.threads = arguments.common.threads;
+  options.quiet = arguments.common.quiet;
+  options.progress = progress_to_stderr(arguments.common);
+  options.interrupted = &watch_for_interrupt();
+  return options;
+}
+
+ExitCode compare(const CompareArguments& arguments) {
+  apply(arguments.common);
+  const CompareResult result = compare_case(read_case(arguments.input, arguments.common), compare_options(arguments));
+  if (!arguments.common.quiet) {
+    std::cout << escape_control(result.table, true) << "written: " << escape_control(result.out_dir) << "\n";
+  }
+  return static_cast<ExitCode>(result.interrupted ? interrupt_exit_code() : result.exit_code);
+}
+
+}  // namespace
+
+Command add_compare_command(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("compare", "One problem on anisotropic, isotropic and uniform meshes of growing size");
+  const auto arguments = std::make_shared<CompareArguments>();
+  add_case_options(*app, arguments->input);
+  app->add_option("--sizes", arguments->sizes, "Numbers of vertices, ascending [1000,4000,16000,64000]")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->option_text("N,...");
+  add_seed_option(*app, arguments->common);
+  add_common_options(*app, arguments->common);
+  app->footer("Example: parmesan compare cases/wave_front.json --sizes 1000,4000,16000");
+  return {app, [arguments] { return compare(*arguments); }};
+}
+
+}  // namespace parmesan

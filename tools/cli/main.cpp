@@ -1,0 +1,71 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "mesher/errors.h"
+#include "tools/cli/commands.h"
+#include "tools/cli/exit_code.h"
+#include "tools/cli/version.h"
+
+namespace {
+
+constexpr const char* footer =
+    "Results go to standard output, the log and errors to standard error.\n"
+    "Exit codes: 0 done, 1 bug, 2 usage, 3 case invalid, 4 geometry invalid, 5 no valid mesh, 6 solve failed,\n"
+    "7 file problem, 8 safety limit, 9 target missed, 130 interrupted.\n"
+    "Help on one subcommand: parmesan SUBCOMMAND --help";
+
+// What CLI11 says when no subcommand is recognised does not name the word that is wrong.
+std::string explain(const CLI::App& program, const CLI::ParseError& error, const char* first_word) {
+  if (!program.get_subcommands().empty() || first_word == nullptr || *first_word == '-') return error.what();
+  std::string names;
+  for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names += (names.empty() ? "" : ", ") + app->get_name();
+  }
+  return "'" + std::string(first_word) + "' is none of the subcommands " + names;
+}
+
+parmesan::ExitCode usage_error(const CLI::App& program, const CLI::ParseError& error, const char* first_word) {
+  const auto chosen = program.get_subcommands();
+  const std::string name = chosen.empty() ? "" : chosen.front()->get_name() + " ";
+  parmesan::print_error(explain(program, error, first_word) + "\nsee: parmesan " + name + "--help");
+  return parmesan::ExitCode::Usage;
+}
+
+// A pipe that was closed or a full disk shows when the last bytes are written.
+parmesan::ExitCode flush_results(parmesan::ExitCode code) {
+  if (std::cout.flush()) return code;
+  throw parmesan::FileError("standard output", 0, "cannot be written");
+}
+
+parmesan::ExitCode run_program(int argc, char** argv) {
+  CLI::App program("Parmesan: anisotropic particle meshes and adaptive finite elements in the plane.", "parmesan");
+  program.footer(footer);
+  program.require_subcommand(1);
+  program.set_version_flag("--version", parmesan::version_text, "Print version, compiler and features");
+  const std::vector<parmesan::Command> commands{
+      parmesan::add_run_command(program),   parmesan::add_compare_command(program),
+      parmesan::add_mesh_command(program),  parmesan::add_quality_command(program),
+      parmesan::add_check_command(program), parmesan::add_schema_command(program)};
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return usage_error(program, error, argv[argc > 1 ? 1 : argc]);
+    program.exit(error);  // help or version
+    return flush_results(parmesan::ExitCode::Done);
+  }
+  const auto is_chosen = [](const parmesan::Command& command) { return command.app->parsed(); };
+  return flush_results(std::find_if(commands.begin(), commands.end(), is_chosen)->run());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(run_program(argc, argv));
+  } catch (...) {
+    return static_cast<int>(parmesan::report_current_exception());
+  }
+}

@@ -1,0 +1,186 @@
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "mesher/errors.h"
+#include "mesher/generate.h"
+#include "mesher/io/geometry_file.h"
+#include "mesher/io/medit.h"
+#include "mesher/io/mesh_file.h"
+#include "mesher/metric/background_mesh.h"
+#include "mesher/quality.h"
+#include "tools/cli/commands.h"
+#include "tools/cli/common_options.h"
+#include "tools/cli/results.h"
+
+namespace parmesan {
+namespace {
+
+/// Pass limits on the mesh made; 0 holds always.
+struct Requirements {
+  double unit_edges = 0.0;
+  double quality = 0.0;
+  bool any() const { return unit_edges > 0.0 || quality > 0.0; }
+};
+
+struct MeshArguments {
+  std::string geometry;
+  std::optional<double> size;
+  std::string background, metric, from;
+  std::vector<std::string> outputs;
+  Preset preset = GenerateOptions{}.preset;
+  std::string schedule = "fast";
+  Requirements requirements;
+  CommonOptions common;
+};
+
+void set_requirement(Requirements& requirements, const std::string& text) {
+  const NameValue pair = split_name_value(text, "--require");
+  const double value = parse_share(pair.value, "--require " + pair.name);
+  if (pair.name == "unit") {
+    requirements.unit_edges = value;
+  } else if (pair.name == "quality") {
+    requirements.quality = value;
+  } else {
+    throw CLI::ValidationError("--require", "'" + pair.name + "' is none of unit, quality");
+  }
+}
+
+/// The metric asked for, and the mesh to start from.
+struct Inputs {
+  std::unique_ptr<MetricField> field;
+  std::optional<Mesh> previous;
+};
+
+std::unique_ptr<MetricField> read_field(const Mesh& background, const std::string& metric) {
+  return std::make_unique<BackgroundMesh>(background, read_medit_metric(metric, background.num_vertices()));
+}
+
+Mesh read_valid_mesh(const std::string& path) {
+  Mesh mesh = read_mesh_file(path);
+  validate(mesh);
+  return mesh;
+}
+
+// The background mesh is often the previous one: then it is read only once.
+Inputs read_inputs(const MeshArguments& arguments) {
+  Inputs inputs;
+  if (!arguments.from.empty()) inputs.previous = read_valid_mesh(arguments.from);
+  if (arguments.size) {
+    inputs.field = std::make_unique<ConstantField>(Metric::isotropic(*arguments.size));
+  } else if (arguments.background == arguments.from) {
+    inputs.field = read_field(*inputs.previous, arguments.metric);
+  } else {
+    inputs.field = read_field(read_valid_mesh(arguments.background), arguments.metric);
+  }
+  return inputs;
+}
+
+GenerateOptions generate_options(const MeshArguments& arguments) {
+  GenerateOptions options;
+  options.preset = arguments.preset;
+  if (arguments.common.seed) options.seed = *arguments.common.seed;
+  options.max_vertices = arguments.common.limits.vertices;
+  return options;
+}
+
+MeshQuality quality_in(const MetricField& field, const Mesh& mesh) {
+  std::vector<Metric> metrics;
+  metrics.reserve(mesh.points.size());
+  MetricHint hint = -1;
+  for (const Point& point : mesh.points) metrics.push_back(field.at(point, hint));
+  return measure_quality(mesh, metrics);
+}
+
+std::string description(const GenerateReport& report) {
+  const auto start = report.start == Start::Scratch        ? "from scratch"
+                     : report.start == Start::PreviousMesh ? "from the previous mesh"
+                                                           : "from the previous mesh, refined";
+  return std::string(start) + ", complexity " + format_number(report.complexity);
+}
+
+bool meets(const MeshQuality& quality, const Requirements& requirements) {
+  const auto holds = [](const char* name, double value, double least) {
+    if (value >= least) return true;
+    print_error(std::string(name) + " is " + format_number(value) + ", required was " + format_number(least));
+    return false;
+  };
+  const bool unit = holds("the share of unit edges", quality.unit_edges, requirements.unit_edges);
+  return holds("the lowest quality", quality.quality_min, requirements.quality) && unit;
+}
+
+ExitCode mesh(const MeshArguments& arguments) {
+  apply(arguments.common);
+  for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
+  const Domain domain = read_geometry(arguments.geometry);
+  const Inputs inputs = read_inputs(arguments);
+  const GenerateResult result =
+      generate(domain, *inputs.field, generate_options(arguments), inputs.previous ? &*inputs.previous : nullptr);
+  for (const std::string& warning : result.report.warnings) print_warning(warning);
+  if (arguments.common.verbose) std::cerr << description(result.report) << std::endl;
+  for (const std::string& output : arguments.outputs) write_mesh_file(output, result.mesh);
+  if (arguments.common.quiet && !arguments.requirements.any()) return ExitCode::Done;
+  const MeshQuality quality = quality_in(*inputs.field, result.mesh);
+  if (!arguments.common.quiet) print_mesh_summary(std::cout, result.mesh, quality);
+  return meets(quality, arguments.requirements) ? ExitCode::Done : ExitCode::TargetMissed;
+}
+
+void add_metric_options(CLI::App& app, MeshArguments& arguments) {
+  CLI::Option* size = app.add_option("--size", arguments.size, "Uniform size of the triangles, in the geometry's unit")
+                          ->check(CLI::PositiveNumber)
+                          ->option_text("H");
+  CLI::Option* background =
+      app.add_option("--background", arguments.background, "Mesh that carries the metric")->option_text("MESH");
+  CLI::Option* metric =
+      app.add_option("--metric", arguments.metric, "Medit metric at the background's vertices")->option_text("SOL");
+  background->needs(metric)->excludes(size);
+  metric->needs(background);
+  app.add_option("--from", arguments.from, "Start from the particles of this mesh")->option_text("MESH");
+}
+
+void add_mesher_options(CLI::App& app, MeshArguments& arguments) {
+  const std::map<std::string, Preset> presets{{"fast", Preset::Fast}, {"mid", Preset::Mid}, {"good", Preset::Good}};
+  app.add_option("--preset", arguments.preset, "How much relaxation: fast, mid or good [good]")
+      ->transform(CLI::CheckedTransformer(presets))
+      ->option_text("NAME");
+  app.add_option("--schedule", arguments.schedule, "How particles are moved: fast [fast]")
+      ->check(CLI::IsMember({"fast"}))
+      ->option_text("NAME");
+  app.add_option_function<std::vector<std::string>>(
+         "--require",
+         [&arguments](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) set_requirement(arguments.requirements, text);
+         },
+         "Exit with 9 unless met: unit=SHARE,quality=MIN")
+      ->delimiter(',')
+      ->option_text("NAME=X,...");
+}
+
+}  // namespace
+
+Command add_mesh_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("mesh", "One mesh of a geometry: uniform, graded or anisotropic");
+  const auto arguments = std::make_shared<MeshArguments>();
+  app->add_option("GEOMETRY", arguments->geometry, "What is to be meshed: .poly (Triangle) or .mesh (Medit)")
+      ->required()
+      ->option_text(" ");
+  app->add_option("-o,--out", arguments->outputs, "File for the mesh; the suffix names the format; may be repeated")
+      ->required()
+      ->take_all()
+      ->allow_extra_args(false)
+      ->option_text("FILE ...");
+  add_metric_options(*app, *arguments);
+  add_mesher_options(*app, *arguments);
+  add_seed_option(*app, arguments->common);
+  add_common_options(*app, arguments->common);
+  app->footer("Example: parmesan mesh domain.poly --size 0.05 -o domain.mesh -o domain.svg");
+  app->final_callback([arguments] {
+    if (!arguments->size && arguments->background.empty()) {
+      throw CLI::RequiredError("one of --size and --background with --metric");
+    }
+  });
+  return {app, [arguments] { return mesh(*arguments); }};
+}
+
+}  // namespace parmesan

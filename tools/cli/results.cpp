@@ -1,0 +1,63 @@
+#include "tools/cli/results.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <ostream>
+
+#include "tools/cli/escape.h"
+
+namespace parmesan {
+namespace {
+
+void print_norms(std::ostream& out, const char* name, const std::optional<ErrorNorms>& norms) {
+  if (!norms) return;
+  out << name << "L2 " << format_number(norms->l2) << ", H1 " << format_number(norms->h1) << ", max "
+      << format_number(norms->linf) << "\n";
+}
+
+void print_row(std::ostream& out, const IterationRow& row) {
+  out << "mesh:                " << row.vertices << " vertices, " << row.triangles << " triangles, "
+      << format_number(100.0 * row.unit_edges) << " % unit edges, quality " << format_number(row.quality_mean)
+      << " (min " << format_number(row.quality_min) << ")\n";
+  print_norms(out, "solution error:      ", row.solution_error);
+  print_norms(out, "interpolation error: ", row.interpolation_error);
+  if (row.estimated_error) {
+    out << "estimated error:     L2 " << format_number(row.estimated_error->l2) << ", H1 "
+        << format_number(row.estimated_error->h1) << "\n";
+  }
+  if (row.efficiency) out << "efficiency:          " << format_number(*row.efficiency) << "\n";
+}
+
+}  // namespace
+
+std::string format_number(double value, int digits) {
+  std::array<char, 64> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+  return {buffer.data(), end.ptr};
+}
+
+void print_summary(std::ostream& out, const RunResult& result) {
+  const Summary& summary = result.summary;
+  out << escape_control(summary.case_name) << ": " << to_string(summary.stop_reason) << " after "
+      << summary.iterations.size() << " iterations, targets " << (summary.targets_met ? "met" : "not met") << "\n";
+  if (!summary.iterations.empty()) print_row(out, summary.iterations.back());
+  out << "written:             " << escape_control(result.out_dir) << "\n";
+}
+
+bool all_passed(std::ostream& out, std::span<const Verdict> verdicts) {
+  for (const Verdict& verdict : verdicts) {
+    out << (verdict.passed ? "passed: " : "MISSED: ") << escape_control(verdict.message) << "\n";
+  }
+  return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.passed; });
+}
+
+void print_mesh_summary(std::ostream& out, const Mesh& mesh, const MeshQuality& quality) {
+  out << mesh.num_vertices() << " vertices, " << mesh.num_triangles() << " triangles\n"
+      << format_number(100.0 * quality.unit_edges) << " % unit edges, lengths " << format_number(quality.length_min)
+      << " to " << format_number(quality.length_max) << ", quality mean " << format_number(quality.quality_mean)
+      << ", min " << format_number(quality.quality_min) << "\n";
+}
+
+}  // namespace parmesan

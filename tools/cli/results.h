@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+
+#include "adapt/run_case.h"
+#include "mesher/quality.h"
+
+namespace parmesan {
+
+/// A number with so many significant digits, independent of the locale.
+std::string format_number(double value, int digits = 4);
+
+/// Why a run ended, what its last mesh is worth, and where its files are.
+void print_summary(std::ostream& out, const RunResult& result);
+
+/// Prints one line per pass limit; true when all hold.
+bool all_passed(std::ostream& out, std::span<const Verdict> verdicts);
+
+/// Counts, lengths and quality of a mesh in two lines.
+void print_mesh_summary(std::ostream& out, const Mesh& mesh, const MeshQuality& quality);
+
+}  // namespace parmesan

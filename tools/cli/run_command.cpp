@@ -1,0 +1,53 @@
+#include <iostream>
+#include <memory>
+
+#include "adapt/run_case.h"
+#include "tools/cli/case_options.h"
+#include "tools/cli/commands.h"
+#include "tools/cli/interrupt.h"
+#include "tools/cli/results.h"
+
+namespace parmesan {
+namespace {
+
+struct RunArguments {
+  CaseOptions input;
+  CommonOptions common;
+  bool verify = false;
+};
+
+RunOptions run_options(const RunArguments& arguments) {
+  RunOptions options;
+  options.out_dir = arguments.input.out_dir;
+  options.overwrite = arguments.input.overwrite;
+  options.threads = arguments.common.threads;
+  options.quiet = arguments.common.quiet;
+  options.max_vertices = arguments.common.limits.vertices;
+  options.progress = progress_to_stderr(arguments.common);
+  options.interrupted = &watch_for_interrupt();
+  return options;
+}
+
+ExitCode run(const RunArguments& arguments) {
+  apply(arguments.common);
+  const RunResult result = run_case(read_case(arguments.input, arguments.common), run_options(arguments));
+  for (const std::string& warning : result.summary.warnings) print_warning(warning);
+  if (!arguments.common.quiet) print_summary(std::cout, result);
+  if (arguments.verify && !all_passed(std::cout, result.verdicts)) return ExitCode::TargetMissed;
+  return static_cast<ExitCode>(result.exit_code == 130 ? interrupt_exit_code() : result.exit_code);
+}
+
+}  // namespace
+
+Command add_run_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("run", "The adaptive loop: mesh, solve, estimate, remesh");
+  const auto arguments = std::make_shared<RunArguments>();
+  add_case_options(*app, arguments->input);
+  app->add_flag("--verify", arguments->verify, "Check the case's pass limits (\"expect\"); exit 9 when one is missed");
+  add_seed_option(*app, arguments->common);
+  add_common_options(*app, arguments->common);
+  app->footer("Example: parmesan run cases/wave_front.json --out wave --set /targets/max_vertices=20000");
+  return {app, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace parmesan
