@@ -1,0 +1,127 @@
+#include "adapt/adapt_loop.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "mesher/errors.h"
+#include "tests/adapt/loop_cases.h"
+
+using namespace parmesan;
+using support::interpolation_case;
+using support::poisson_case;
+
+TEST_CASE("target_excess is the largest error over its target, falling like 1 / N", "[adapt][loop]") {
+  Targets targets;
+  ErrorNorms error;
+  error.l2 = 3e-3;
+  error.h1 = 0.2;
+  CHECK(target_excess(targets, error) == 3e-3);
+  targets.l2_error = 1e-3;
+  CHECK(target_excess(targets, error) == Approx(3.0));
+  targets.h1_error = 0.1;  // 2, squared
+  CHECK(target_excess(targets, error) == Approx(4.0));
+  targets.linf_error = 1.0;
+  error.linf = std::numeric_limits<double>::quiet_NaN();
+  CHECK(std::isinf(target_excess(targets, error)));
+}
+
+TEST_CASE("metrics are made for H1 where only an H1 error is asked for", "[adapt][loop]") {
+  Targets targets;
+  CHECK(error_measure(targets) == ErrorMeasure::Lp);
+  targets.h1_error = 0.1;
+  CHECK(error_measure(targets) == ErrorMeasure::H1);
+  targets.l2_error = 0.1;
+  CHECK(error_measure(targets) == ErrorMeasure::Lp);
+}
+
+TEST_CASE("the loop meets an L2 target of an interpolant with few vertices to spare", "[adapt][loop]") {
+  Case input = interpolation_case("tanh(20*(x - y^2))", R"({"l2_error": 1e-3, "max_vertices": 5000})");
+  input.mesher.preset = Preset::Good;
+  const LoopResult run = adapt(input, {});
+  const Summary& s = run.summary;
+  CHECK(s.stop_reason == StopReason::ErrorTarget);
+  CHECK(s.targets_met);
+  CHECK(s.iterations.back().interpolation_error->l2 <= 1e-3);
+  CHECK(s.iterations.back().interpolation_error->l2 >= 0.7e-3);
+  CHECK(s.iterations.back().efficiency.value() < 1.4);
+}
+
+TEST_CASE("the loop meets an H1 target of a solution", "[adapt][loop]") {
+  const LoopResult run =
+      adapt(poisson_case("exp(-50*((x - 0.5)^2 + (y - 0.5)^2))", R"({"h1_error": 0.1, "max_vertices": 9000})"), {});
+  CHECK(run.summary.stop_reason == StopReason::ErrorTarget);
+  CHECK(run.summary.iterations.back().solution_error->h1 <= 0.1);
+  CHECK(run.summary.iterations.back().interpolation_error->h1 <= 0.11);
+}
+
+TEST_CASE("the loop comes close to the size it is aimed at", "[adapt][loop]") {
+  const LoopResult run = adapt(interpolation_case("sin(6*x)*y^2", R"({"vertices": 800})"), {});
+  CHECK(run.summary.stop_reason == StopReason::Vertices);
+  CHECK(run.summary.targets_met);
+  CHECK(static_cast<double>(run.summary.iterations.back().vertices) == Approx(800).epsilon(0.06));
+}
+
+TEST_CASE("a target beyond the vertex budget is missed and the budget kept", "[adapt][loop]") {
+  const LoopResult run = adapt(interpolation_case("sin(6*x)*y^2", R"({"l2_error": 1e-7, "max_vertices": 400})"), {});
+  CHECK(run.summary.stop_reason == StopReason::VertexBudget);
+  CHECK_FALSE(run.summary.targets_met);
+  for (const IterationRow& row : run.summary.iterations) CHECK(row.vertices <= 400);
+}
+
+TEST_CASE("the loop ends with its iterations or its time", "[adapt][loop]") {
+  const std::string function = "sin(6*x)*y^2";
+  const LoopResult few = adapt(interpolation_case(function, R"({"l2_error": 1e-7, "max_iterations": 2})"), {});
+  CHECK(few.summary.stop_reason == StopReason::MaxIterations);
+  CHECK(few.summary.iterations.size() == 2);
+  const LoopResult late = adapt(interpolation_case(function, R"({"l2_error": 1e-7, "max_seconds": 1e-6})"), {});
+  CHECK(late.summary.stop_reason == StopReason::TimeBudget);
+  CHECK(late.summary.iterations.size() == 1);
+}
+
+TEST_CASE("a function that P1 represents exactly ends at the floor", "[adapt][loop]") {
+  const LoopResult run = adapt(interpolation_case("1", R"({"vertices": 500})"), {});
+  CHECK(run.summary.stop_reason == StopReason::Floor);
+}
+
+TEST_CASE("size limits that forbid the target end the loop as stagnated", "[adapt][loop]") {
+  Case input = interpolation_case("sin(6*x)*y^2", R"({"l2_error": 1e-6, "max_vertices": 100000})");
+  input.metric.h_min = 0.05;
+  const LoopResult run = adapt(input, {});
+  CHECK(run.summary.stop_reason == StopReason::Stagnated);
+  CHECK(run.summary.iterations.back().vertices < 2000);
+}
+
+TEST_CASE("an interrupt ends the loop after the row under way", "[adapt][loop]") {
+  std::atomic<bool> stop{false};
+  LoopOptions options;
+  options.interrupted = &stop;
+  options.observer = [&stop](const Iterate&, const IterationRow& row) { stop = row.iteration == 1; };
+  const LoopResult run = adapt(interpolation_case("sin(6*x)*y^2", R"({"vertices": 5000})"), options);
+  CHECK(run.summary.stop_reason == StopReason::Interrupted);
+  CHECK(run.summary.iterations.size() == 2);
+  CHECK_FALSE(run.summary.targets_met);
+}
+
+TEST_CASE("the same case gives the same mesh, bit by bit", "[adapt][loop]") {
+  const Case input = poisson_case("sin(3*x)*y^2", R"({"vertices": 400})");
+  const LoopResult a = adapt(input, {});
+  const LoopResult b = adapt(input, {});
+  CHECK(a.last.mesh.points == b.last.mesh.points);
+  CHECK(a.last.mesh.triangles == b.last.mesh.triangles);
+  CHECK(a.last.values == b.last.values);
+}
+
+TEST_CASE("exact Hessians find a thin layer that the first mesh misses", "[adapt][loop]") {
+  Case input = interpolation_case("tanh(300*(x - 0.5*y^2 - 0.21))", R"({"vertices": 1500})");
+  input.metric.exact_hessian = true;
+  const LoopResult run = adapt(input, {});
+  CHECK(run.summary.iterations.front().efficiency.value() > 20.0);
+  CHECK(run.summary.iterations.back().efficiency.value() < 1.5);
+}
+
+TEST_CASE("a size beyond the safety limit is refused", "[adapt][loop][errors]") {
+  LoopOptions options;
+  options.max_vertices = 300;
+  CHECK_THROWS_AS(adapt(interpolation_case("x*x", R"({"vertices": 500})"), options), LimitError);
+}

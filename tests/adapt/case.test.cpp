@@ -1,0 +1,132 @@
+#include "adapt/case.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "case_support.h"
+
+namespace parmesan {
+namespace {
+
+using support::case_text;
+using support::issue_text;
+using support::kZeroBoundary;
+
+std::vector<std::string> case_files() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(PARMESAN_SOURCE_DIR) + "/cases")) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+  }
+  return files;
+}
+
+}  // namespace
+
+TEST_CASE("parse_case fills in every default", "[adapt][case]") {
+  const Case c = parse_case(case_text(kZeroBoundary), "some/folder/heat.json");
+  CHECK(c.name == "heat");
+  CHECK(c.title.empty());
+  CHECK_FALSE(c.interpolation);
+  CHECK_FALSE(c.exact);
+  CHECK(c.metric.kind == MetricKind::SignAware);
+  CHECK(c.metric.norm == 2.0);
+  CHECK(c.targets.max_iterations == 20);
+  CHECK_FALSE(c.targets.l2_error);
+  CHECK(c.mesher.preset == Preset::Good);
+  CHECK(c.mesher.seed == 1);
+  CHECK(c.initial_vertices == 400);
+  CHECK(c.output.formats == std::vector<std::string>{"vtu", "mesh", "svg"});
+  CHECK(c.resolved["problem"]["diffusion"] == 1);
+  CHECK(c.resolved["problem"]["source"] == 0);
+  CHECK(c.resolved["name"] == "heat");
+  CHECK(c.resolved["metric"]["max_aspect"] == 1000000);
+}
+
+TEST_CASE("A resolved case read again is the same case", "[adapt][case]") {
+  for (const std::string& file : case_files()) {
+    INFO(file);
+    const Case c = read_case(file);
+    CHECK(parse_case(c.resolved.dump(), file).resolved == c.resolved);
+  }
+}
+
+TEST_CASE("Every case in cases/ is right and is named as its file", "[adapt][case]") {
+  REQUIRE(case_files().size() >= 7);
+  for (const std::string& file : case_files()) {
+    INFO(file);
+    const Case c = read_case(file);
+    CHECK(c.name == std::filesystem::path(file).stem().string());
+    CHECK_FALSE(c.title.empty());
+    CHECK_FALSE(c.expect.empty());
+    CHECK((c.interpolation || !c.problem.boundary.empty()));
+  }
+}
+
+TEST_CASE("parse_case reads every option", "[adapt][case]") {
+  const Case c = parse_case(case_text(R"("interpolate": "x^2*a")", R"(, "name": "n-1", "title": "T",
+      "parameters": {"a": 2, "b": "a^2 + 1", "x-note": "mine"}, // a comment
+      "metric": {"kind": "loseille-alauzet", "norm": "inf", "recovery": "exact", "h_min": "1/b", "h_max": 0.5,
+                 "max_aspect": 10, "gradation": 1.5},
+      "targets": {"l2_error": "1e-3/a", "h1_error": 2, "linf_error": 3, "vertices": 50, "max_vertices": 60.0,
+                  "max_iterations": 3, "max_seconds": 1.5},
+      "mesher": {"schedule": "fast", "preset": "mid", "seed": 9}, "initial": {"vertices": 77},
+      "output": {"formats": ["svg"]}, /* and another */
+      "expect": {"efficiency": {"max": 1.1}, "targets_met": true, "x-why": 1}, "x-own": [[1]])"),
+                            "a.json");
+  CHECK(c.interpolation);
+  CHECK(c.exact->value({3.0, 0.0}) == 18.0);
+  CHECK(c.metric.kind == MetricKind::LoseilleAlauzet);
+  CHECK(std::isinf(c.metric.norm));
+  CHECK(c.metric.exact_hessian);
+  CHECK(c.metric.h_min == 0.2);
+  CHECK(c.metric.gradation == 1.5);
+  CHECK(c.targets.l2_error == 0.0005);
+  CHECK(c.targets.vertices == 50);
+  CHECK(c.targets.max_vertices == 60);
+  CHECK(c.targets.max_seconds == 1.5);
+  CHECK(c.mesher.preset == Preset::Mid);
+  CHECK(c.mesher.seed == 9);
+  CHECK(c.initial_vertices == 77);
+  CHECK(c.output.formats == std::vector<std::string>{"svg"});
+  REQUIRE(c.expect.size() == 2);
+  CHECK(c.expect[0].name == "efficiency");
+  CHECK(c.expect[0].max == 1.1);
+  CHECK(c.expect[1].equals == true);
+  CHECK(c.resolved["parameters"]["b"] == 5.0);
+}
+
+TEST_CASE("Overrides replace and add values by JSON pointer", "[adapt][case]") {
+  const Case c = parse_case(case_text(kZeroBoundary, R"(, "targets": {"max_iterations": 4})"), "a.json",
+                            {{"/targets/max_iterations", "7"},
+                             {"/parameters/alpha", "3"},
+                             {"/problem/source", "alpha*x"},
+                             {"/geometry/rectangle/max/0", "2"},
+                             {"/name", "other"}});
+  CHECK(c.targets.max_iterations == 7);
+  CHECK(c.problem.source({2.0, 0.0}, 0) == 6.0);
+  CHECK(c.domain.points[1] == Point{2.0, 0.0});
+  CHECK(c.name == "other");
+  CHECK(issue_text(case_text(kZeroBoundary), {{"targets", "1"}}) ==
+        "targets: (from --set) not a JSON pointer to set; write for example /targets/max_iterations=5\n");
+  CHECK_THAT(issue_text(case_text(kZeroBoundary), {{"/geometry/rectangle/min/7", "1"}}), Catch::Contains("nothing"));
+  CHECK_THAT(issue_text(case_text(kZeroBoundary), {{"/targets/l2_errr", "1"}}),
+             Catch::Contains("did you mean 'l2_error'"));
+}
+
+TEST_CASE("case_schema is a JSON Schema that refers only to what it defines", "[adapt][case]") {
+  const nlohmann::ordered_json schema = case_schema();
+  CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
+  const std::string text = schema.dump();
+  std::size_t num_references = 0;
+  for (std::size_t at = text.find("#/$defs/"); at != std::string::npos; at = text.find("#/$defs/", at + 1)) {
+    const std::string name = text.substr(at + 8, text.find('"', at) - at - 8);
+    INFO(name);
+    CHECK(schema["$defs"].contains(name));
+    ++num_references;
+  }
+  CHECK(num_references > 40);
+}
+
+}  // namespace parmesan

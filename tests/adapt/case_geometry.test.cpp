@@ -1,0 +1,222 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "adapt/case.h"
+#include "adapt/shapes.h"
+#include "case_support.h"
+
+namespace parmesan {
+namespace {
+
+using support::issue_text;
+
+std::string with_geometry(const std::string& geometry) {
+  return R"({"geometry": {)" + geometry + R"(}, "problem": {"boundary": {"*": {"dirichlet": 0}}}})";
+}
+
+Domain domain_of_case(const std::string& geometry) { return parse_case(with_geometry(geometry), "case.json").domain; }
+
+std::string issues_with(const std::string& geometry) { return issue_text(with_geometry(geometry)); }
+
+/// Half the sum of cross products along the segments: the area when the outside goes
+/// counter-clockwise and holes clockwise.
+double swept_area(const Domain& domain, int label) {
+  double area = 0.0;
+  for (const Segment& s : domain.segments) {
+    if (s.label != label) continue;
+    area += 0.5 * cross(domain.points[static_cast<std::size_t>(s.a)], domain.points[static_cast<std::size_t>(s.b)]);
+  }
+  return area;
+}
+
+/// Side of a rectangle's segment by where its midpoint lies.
+std::string name_at(const Domain& domain, const Point& p) {
+  for (const Segment& s : domain.segments) {
+    const Point m =
+        midpoint(domain.points[static_cast<std::size_t>(s.a)], domain.points[static_cast<std::size_t>(s.b)]);
+    if (norm(m - p) < 1e-12) return label_name(domain.label_names, s.label);
+  }
+  return "";
+}
+
+/// Writes a file into a fresh folder that goes away with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / ("parmesan_case_" + std::to_string(counter_++))) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_ / "inside");
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+  std::string path(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  inline static int counter_ = 0;
+  std::filesystem::path path_;
+};
+
+const std::string kTriangle = "3 2 0 1\n1 0 0\n2 1 0\n3 0 1\n3 1\n1 1 2 5\n2 2 3 5\n3 3 1 9\n0\n";
+
+}  // namespace
+
+TEST_CASE("A rectangle has its sides labelled from 1", "[adapt][case]") {
+  const Domain domain = domain_of_case(R"("rectangle": {"min": [-1, 0], "max": [1, 3]})");
+  CHECK(name_at(domain, {-1.0, 1.5}) == "left");
+  CHECK(name_at(domain, {1.0, 1.5}) == "right");
+  CHECK(name_at(domain, {0.0, 0.0}) == "bottom");
+  CHECK(name_at(domain, {0.0, 3.0}) == "top");
+  std::set<int> labels;
+  for (const Segment& s : domain.segments) labels.insert(s.label);
+  CHECK(labels == std::set<int>{1, 2, 3, 4});
+}
+
+TEST_CASE("Sides can be given other names", "[adapt][case]") {
+  const Domain domain = domain_of_case(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": {"left": "inlet"})");
+  CHECK(name_at(domain, {0.0, 1.0}) == "inlet");
+  CHECK(name_at(domain, {2.0, 1.0}) == "right");
+  CHECK_THAT(issues_with(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": {"lef": "inlet"})"),
+             Catch::Contains("did you mean 'left'"));
+  CHECK_THAT(issues_with(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": ["inlet"])"),
+             Catch::Contains("is for polygons"));
+}
+
+TEST_CASE("A polygon takes a name per side, holes, regions, points and segments", "[adapt][case]") {
+  const Domain domain = domain_of_case(R"("polygon": [[0, 0], [4, 0], [4, 4], [0, 4]],
+      "labels": ["wall", "out", "wall", "in"],
+      "holes": [[[1, 1], [2, 1], [1, 2]], {"disc": {"center": [3, 3], "radius": 0.5, "points": 12}, "label": "pipe"}],
+      "regions": {"steel": [0.5, 0.5], "air": [3.5, 0.5]},
+      "points": [[0.25, 2]], "segments": [{"from": [2.5, 0.5], "to": [2.5, 1.5], "label": "crack"}])");
+  CHECK(name_at(domain, {2.0, 0.0}) == "wall");
+  CHECK(name_at(domain, {2.0, 4.0}) == "wall");
+  CHECK(name_at(domain, {4.0, 2.0}) == "out");
+  CHECK(name_at(domain, {1.5, 1.0}) == "hole1");
+  CHECK(name_at(domain, {2.5, 1.0}) == "crack");
+  REQUIRE(domain.holes.size() == 2);
+  CHECK((domain.holes[0].x > 1.0 && domain.holes[0].y > 1.0 && domain.holes[0].x + domain.holes[0].y < 3.0));
+  CHECK(norm(domain.holes[1] - Point{3.0, 3.0}) < 0.5);
+  REQUIRE(domain.regions.size() == 2);
+  CHECK(label_name(domain.region_names, domain.regions[1].region) == "air");
+  CHECK(domain.points.size() == 4 + 3 + 12 + 1 + 2);
+}
+
+TEST_CASE("A disc's polygon is inscribed and approaches the circle", "[adapt][case]") {
+  const Domain domain = domain_of_case(R"("disc": {"center": [1, 2], "radius": 3, "points": 1000})");
+  for (const Point& p : domain.points) CHECK(norm(p - Point{1.0, 2.0}) == Approx(3.0).epsilon(1e-14));
+  // (n / 2) r^2 sin(2 pi / n) = pi r^2 (1 - (2 pi / n)^2 / 6 + ...)
+  CHECK(swept_area(domain, 1) == Approx(M_PI * 9.0 * (1.0 - 4.0 * M_PI * M_PI / 6e6)).epsilon(1e-9));
+}
+
+TEST_CASE("NACA airfoils have the tabulated thickness and camber", "[adapt][case]") {
+  SECTION("0012: symmetric, 12 % thick at 30 % of the chord") {
+    const Ring ring = naca_airfoil({0, 0, 1, 2}, 2000, {});
+    double thickest = 0.0;
+    double where = 0.0;
+    for (const Point& p : ring) {
+      if (p.y > thickest) where = p.x;
+      thickest = std::max(thickest, p.y);
+    }
+    CHECK(thickest == Approx(0.06).epsilon(2e-3));
+    CHECK(where == Approx(0.3).margin(0.005));
+    CHECK(ring.front() == Point{1.0, 0.0});
+    CHECK((ring[1].y > 0.0 && ring[1].y < 1e-5));  // 2e-6 from a closed trailing edge
+    CHECK(ring[1000] == Point{0.0, 0.0});
+    for (std::size_t i = 1; i < 1000; ++i) CHECK(ring[i].y == Approx(-ring[2000 - i].y).epsilon(1e-12));
+  }
+  SECTION("2412: mean line 2 % high at 40 %") {
+    const Ring ring = naca_airfoil({2, 4, 1, 2}, 4000, {});
+    double upper = 0.0;
+    double lower = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (std::abs(ring[i].x - 0.4) > 0.001) continue;
+      (i < 2000 ? upper : lower) = ring[i].y;
+    }
+    CHECK(0.5 * (upper + lower) == Approx(0.02).margin(1e-4));
+  }
+  SECTION("placed by chord, angle and leading edge: nose up means tail down") {
+    const Ring ring = naca_airfoil({0, 0, 1, 2}, 101, {2.0, 90.0, {5.0, 7.0}});
+    CHECK(ring.front().x == Approx(5.0).epsilon(1e-14));
+    CHECK(ring.front().y == Approx(5.0).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("An airfoil is a hole of its channel", "[adapt][case]") {
+  const Domain domain = domain_of_case(R"("naca": {"code": "2412", "channel": {"min": [-1, -1], "max": [2, 1]}})");
+  REQUIRE(domain.holes.size() == 1);
+  CHECK(domain.segments.size() == 4 + 120);
+  CHECK(label_name(domain.label_names, domain.segments.back().label) == "airfoil");
+  CHECK_THAT(issues_with(R"("naca": {"code": "0012", "channel": {"min": [0, -1], "max": [2, 1]}})"),
+             Catch::Contains("inside the channel"));
+  CHECK_THAT(issues_with(R"("naca": {"code": "23012", "channel": {"min": [-1, -1], "max": [2, 1]}})"),
+             Catch::Contains("four digits"));
+}
+
+TEST_CASE("interior_point lies inside polygons that are thin, hooked or clockwise", "[adapt][case]") {
+  CHECK(interior_point({{0, 0}, {0, 1}, {1, 0}}).x > 0.0);
+  // A comb: the triangle at the leftmost corner holds other corners.
+  const Ring comb{{0, 0}, {10, -5}, {1, 0.1}, {10, 5}, {0.5, 0.2}, {10, 9}};
+  const Point p = interior_point(comb);
+  bool inside = false;
+  for (std::size_t i = 0; i < comb.size(); ++i) {
+    const Point a = comb[i];
+    const Point b = comb[(i + 1) % comb.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) * (b.x - a.x) / (b.y - a.y)) inside = !inside;
+  }
+  CHECK(inside);
+}
+
+TEST_CASE("Geometry that cannot be used is refused with what is allowed", "[adapt][case][errors]") {
+  CHECK(issues_with(R"("rectangle": {"min": [0, 1], "max": [1, 1]})") ==
+        "/geometry/rectangle: 'min' must be smaller than 'max' in both coordinates\n");
+  CHECK(issues_with(R"("disc": {"radius": 1}, "polygon": [[0,0],[1,0],[0,1]])") ==
+        "/geometry: give exactly one of 'rectangle', 'disc', 'polygon', 'naca', 'file'; found 'disc', 'polygon'\n");
+  CHECK_THAT(issues_with(R"("rectangel": {"min": [0, 0], "max": [1, 1]})"), Catch::Contains("mean 'rectangle'"));
+  CHECK(issues_with(R"("polygon": [[0, 0], [1, 0]])") ==
+        "/geometry/polygon: must be a list of at least 3 points, not a list of 2\n");
+  CHECK(issues_with(R"("polygon": [[0, 0], [1, 0], [0, 1, 2]])") ==
+        "/geometry/polygon/2: must be a point [x, y], not a list of 3\n");
+  CHECK(issues_with(R"("polygon": [[0, 0], [1, 0], [0, 1]], "labels": ["a", "b"])") ==
+        "/geometry/labels: must name each of the 3 sides of the polygon, not 2\n");
+  CHECK_THROWS_AS(domain_of_case(R"("polygon": [[0, 0], [1, 1], [1, 0], [0, 1]])"), GeometryError);
+}
+
+TEST_CASE("A geometry file is read from beside the case", "[adapt][case]") {
+  const TemporaryFolder folder;
+  folder.write("inside/triangle.poly", kTriangle);
+  const std::string text = with_geometry(R"("file": "inside/triangle.poly", "labels": {"9": "west"})");
+  const Case c = parse_case(text, folder.path("case.json"));
+  CHECK(c.domain.points.size() == 3);
+  CHECK(c.domain.label_names.at(9) == "west");
+  CHECK(c.problem.boundary.contains(5));
+  CHECK(c.problem.boundary.contains(9));
+}
+
+TEST_CASE("A case cannot name files elsewhere or that are not files", "[adapt][case][errors]") {
+  const TemporaryFolder folder;
+  folder.write("inside/secret.poly", kTriangle);
+  std::filesystem::create_symlink(folder.path("inside/secret.poly"), folder.path("inside/link.poly"));
+  std::filesystem::create_directories(folder.path("case"));
+  std::filesystem::create_symlink(folder.path("inside/secret.poly"), folder.path("case/out.poly"));
+  const auto issue = [&folder](const std::string& name, const std::string& file) {
+    try {
+      parse_case(with_geometry("\"file\": \"" + name + "\""), folder.path(file));
+    } catch (const CaseError& error) {
+      return error.issues().front().problem;
+    }
+    return std::string();
+  };
+  CHECK_THAT(issue("/etc/passwd", "case.json"), Catch::Contains("beside or below"));
+  CHECK_THAT(issue("../secret.poly", "case/case.json"), Catch::Contains("beside or below"));
+  CHECK_THAT(issue("none.poly", "case.json"), Catch::Contains("no such file"));
+  CHECK_THAT(issue("inside", "case.json"), Catch::Contains("not a regular file"));
+  CHECK_THAT(issue("out.poly", "case/case.json"), Catch::Contains("a link leads out"));
+  CHECK_THAT(issue("a\\u0000b", "case.json"), Catch::Contains("beside or below"));
+  CHECK(issue("inside/link.poly", "case.json").empty());
+}
+
+}  // namespace parmesan

@@ -1,0 +1,63 @@
+#include "adapt/compare.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "mesher/errors.h"
+#include "tests/adapt/loop_cases.h"
+
+using namespace parmesan;
+
+namespace {
+
+CompareResult small_comparison(const support::TemporaryFolder& folder, std::vector<std::string>& lines) {
+  CompareOptions options;
+  options.out_dir = folder.path();
+  options.sizes = {200, 800};
+  options.max_uniform_vertices = 20000;
+  options.progress = [&lines](const std::string& line) { lines.push_back(line); };
+  return compare_case(support::interpolation_case("tanh(20*(x - y^2))", "{}"), options);
+}
+
+}  // namespace
+
+TEST_CASE("compare_case ranks anisotropic before isotropic before uniform meshes", "[adapt][compare]") {
+  const support::TemporaryFolder folder("compare");
+  std::vector<std::string> lines;
+  const CompareResult result = small_comparison(folder, lines);
+  const auto error_of = [&result](MeshFamily family) {
+    double l2 = 0.0;
+    for (const CompareRow& row : result.rows)
+      if (row.family == family && row.vertices < 1000) l2 = row.leading_l2();
+    return l2;
+  };
+  CHECK(error_of(MeshFamily::Anisotropic) < 0.7 * error_of(MeshFamily::Isotropic));
+  CHECK(error_of(MeshFamily::Isotropic) < 0.7 * error_of(MeshFamily::Uniform));
+  REQUIRE(result.l2_orders.size() == 3);
+  CHECK(result.l2_orders[0].order > 0.8);
+  CHECK(lines.size() == result.rows.size());
+
+  SECTION("each adapted mesh has its uniform equivalent") {
+    CHECK(result.equivalents.size() == 4);
+    for (const UniformEquivalent& e : result.equivalents)
+      if (e.uniform.found == EqualError::Found::Interpolated)
+        CHECK(e.uniform.vertices > static_cast<double>(e.vertices));
+  }
+  SECTION("files and table have all rows") {
+    CHECK(folder.has("compare.csv"));
+    CHECK(folder.has("summary.json"));
+    const std::string csv = compare_csv(result);
+    CHECK(static_cast<std::size_t>(std::ranges::count(csv, '\n')) == result.rows.size() + 1);
+    CHECK(to_json(result)["rows"].size() == result.rows.size());
+    CHECK(result.table.find("anisotropic") != std::string::npos);
+  }
+}
+
+TEST_CASE("compare_case refuses sizes that do not ascend", "[adapt][compare][errors]") {
+  CompareOptions options;
+  options.out_dir = support::TemporaryFolder("compare_errors").path();
+  options.sizes =
+      GENERATE(std::vector<std::int64_t>{}, std::vector<std::int64_t>{400, 400}, std::vector<std::int64_t>{2, 400});
+  CHECK_THROWS_AS(compare_case(support::interpolation_case("x*x", "{}"), options), InputError);
+}

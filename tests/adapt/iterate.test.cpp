@@ -1,0 +1,55 @@
+#include "adapt/iterate.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/adapt/loop_cases.h"
+#include "tests/support/meshes.h"
+
+using namespace parmesan;
+
+TEST_CASE("area adds up the triangles", "[adapt][loop]") {
+  CHECK(area(support::random_square(5, 0.2, 1)) == Approx(1.0).epsilon(1e-13));
+}
+
+TEST_CASE("uniform_iterate comes close to the size asked for", "[adapt][loop]") {
+  const Case input = support::interpolation_case("x*x", "{}");
+  for (const double vertices : {100.0, 1500.0}) {
+    const Iterate start = uniform_iterate(input, vertices);
+    CHECK(static_cast<double>(start.mesh.num_vertices()) == Approx(vertices).epsilon(0.2));
+    CHECK(start.complexity == Approx(complexity(start.mesh, start.metrics)).epsilon(1e-9));
+    CHECK(area(start.mesh) == Approx(1.0).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("compute_values interpolates, or solves", "[adapt][loop]") {
+  const Case given = support::interpolation_case("x^2 - y", "{}");
+  Iterate interpolant;
+  interpolant.mesh = support::rectangle_mesh(4, 4);
+  compute_values(given, interpolant, nullptr);
+  for (std::size_t v = 0; v < interpolant.values.size(); ++v) {
+    const Point& p = interpolant.mesh.points[v];
+    CHECK(interpolant.values[v] == Approx(p.x * p.x - p.y).margin(1e-14));
+  }
+  // A linear solution is its own discrete solution. The labels are those of the case's rectangle.
+  const Case poisson = support::poisson_case("2*x + 3*y", "{}");
+  Iterate solved = uniform_iterate(poisson, 50);
+  compute_values(poisson, solved, nullptr);
+  for (std::size_t v = 0; v < solved.values.size(); ++v) {
+    const Point& p = solved.mesh.points[v];
+    CHECK(solved.values[v] == Approx(2 * p.x + 3 * p.y).margin(1e-10));
+  }
+}
+
+TEST_CASE("targeted_error is the solution's where known, else the estimate, else the interpolant's", "[adapt][loop]") {
+  Case input;
+  IterationRow row;
+  row.estimated_error = EstimatedError{0.1, 0.2};
+  CHECK(targeted_error(input, row).l2 == 0.1);
+  CHECK(std::isnan(targeted_error(input, row).linf));
+  row.solution_error = ErrorNorms{0, 0.3, 0, 0};
+  CHECK(targeted_error(input, row).l2 == 0.3);
+  input.interpolation = true;
+  row.interpolation_error = ErrorNorms{0, 0.4, 0, 0};
+  CHECK(targeted_error(input, row).l2 == 0.4);
+}

@@ -1,0 +1,69 @@
+#include "adapt/json_text.h"
+
+#include <catch2/catch.hpp>
+
+namespace parmesan {
+namespace {
+
+/// What stands in the text from there to the next blank, comma or bracket.
+std::string word_at(const std::string& text, std::size_t offset) {
+  return text.substr(offset, text.find_first_of(" ,:}]\n", offset) - offset);
+}
+
+const std::string kText =
+    "\xEF\xBB\xBF{ // first \"a\": 1\n"
+    "  \"a\": {\"x/y\": [10, {\"q\": 20}, \"}]\\\"\", [ ]], /* \"b\": { */ \"b\": null},\n"
+    "  \"\\u0062\\n\": -3.5e2, \"m~n\": true\n"
+    "}";
+
+}  // namespace
+
+TEST_CASE("locate finds names and values through comments, strings and nesting", "[adapt][json]") {
+  const auto value = [](const std::string& pointer) { return word_at(kText, locate(kText, pointer).value); };
+  CHECK(value("/a/x~1y/0") == "10");
+  CHECK(value("/a/x~1y/1/q") == "20");
+  CHECK(value("/a/b") == "null");
+  CHECK(value("/b\n") == "-3.5e2");
+  CHECK(value("/m~0n") == "true");
+  CHECK(word_at(kText, locate(kText, "/a/b").key) == "\"b\"");
+  CHECK(locate(kText, "/a/b").found);
+}
+
+TEST_CASE("locate stops at the nearest parent of what is not there", "[adapt][json]") {
+  const JsonPlace place = locate(kText, "/a/x~1y/9/z");
+  CHECK_FALSE(place.found);
+  CHECK(word_at(kText, place.key) == "\"x/y\"");
+  CHECK(locate(kText, "/none").key == 3);
+}
+
+TEST_CASE("find_duplicate_keys finds equal names in one object only", "[adapt][json]") {
+  CHECK(find_duplicate_keys(kText).empty());
+  CHECK(find_duplicate_keys(R"({"a": {"a": 1}, "b": [{"a": 1}, {"a": "a"}]})").empty());
+  const std::string text = R"({"a": 1, "b": [0, {"c": 1, "\u0063": {"d": 1}}], "a": 2})";
+  const std::vector<DuplicateKey> duplicates = find_duplicate_keys(text);
+  REQUIRE(duplicates.size() == 2);
+  CHECK(duplicates[0].pointer == "/b/1/c");
+  CHECK(word_at(text, duplicates[0].offset) == "\"\\u0063\"");
+  CHECK(duplicates[1].pointer == "/a");
+}
+
+TEST_CASE("line_column counts from 1 and in characters", "[adapt][json]") {
+  const std::string text = "ab\n\xC3\xBC\xE2\x82\xACz\n";
+  CHECK(line_column(text, 0).column == 1);
+  CHECK(line_column(text, 3).line == 2);
+  CHECK(line_column(text, 3).column == 1);
+  CHECK(line_column(text, 8).column == 3);
+  CHECK(line_column(text, 1000).line == 3);
+}
+
+TEST_CASE("pointer_steps undoes pointer_step and refuses what is no JSON pointer", "[adapt][json]") {
+  const std::string pointer = pointer_step("a/b") + pointer_step("~1") + pointer_step("");
+  CHECK(pointer == "/a~1b/~01/");
+  CHECK(pointer_steps(pointer) == std::vector<std::string>{"a/b", "~1", ""});
+  CHECK(pointer_steps("") == std::vector<std::string>{});
+  CHECK_FALSE(pointer_steps("a/b"));
+  CHECK_FALSE(pointer_steps("/a~2"));
+  CHECK_FALSE(pointer_steps("/a~"));
+}
+
+}  // namespace parmesan

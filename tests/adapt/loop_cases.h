@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "adapt/case.h"
+
+namespace parmesan::support {
+
+/// A case that interpolates the function on the unit square, small and fast.
+inline Case interpolation_case(const std::string& function, const std::string& targets) {
+  return parse_case(R"({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+      "problem": {"interpolate": ")" +
+                        function + R"("}, "targets": )" + targets +
+                        R"(, "initial": {"vertices": 100}, "mesher": {"preset": "fast"}})",
+                    "test.json");
+}
+
+/// -Laplace u = f with the exact solution given, u = exact on the boundary of the unit square.
+inline Case poisson_case(const std::string& exact, const std::string& targets) {
+  return parse_case(R"({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+      "problem": {"exact": ")" +
+                        exact + R"(", "boundary": {"*": {"dirichlet": "exact"}}}, "targets": )" + targets +
+                        R"(, "initial": {"vertices": 100}, "mesher": {"preset": "fast"}})",
+                    "test.json");
+}
+
+/// A folder that is removed with everything in it.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / ("parmesan_test_" + name)) {
+    std::filesystem::remove_all(path_);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+
+  std::string path() const { return path_.string(); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace parmesan::support

@@ -1,0 +1,126 @@
+#include "adapt/run_case.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "mesher/errors.h"
+#include "mesher/io/medit.h"
+#include "tests/adapt/loop_cases.h"
+
+using namespace parmesan;
+using support::interpolation_case;
+using support::TemporaryFolder;
+
+namespace {
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+RunOptions into(const TemporaryFolder& folder) {
+  RunOptions options;
+  options.out_dir = folder.path();
+  return options;
+}
+
+const char* const small = R"({"vertices": 200})";
+
+}  // namespace
+
+TEST_CASE("run_case leaves what users were promised", "[adapt][run]") {
+  const TemporaryFolder folder("run_files");
+  const RunResult result = run_case(interpolation_case("sin(3*x)*y^2", small), into(folder));
+  CHECK(result.exit_code == 0);
+  for (const char* name :
+       {"case.json", "iterations/000/mesh.vtu", "iterations/000/mesh.mesh", "iterations/000/metric.sol", "mesh.vtu",
+        "mesh.mesh", "mesh.svg", "run.pvd", "convergence.csv", "summary.json"})
+    CHECK(folder.has(name));
+  const auto summary = nlohmann::json::parse(content(folder.file("summary.json")));
+  CHECK(summary["stop_reason"] == "vertices");
+  CHECK(summary["iterations"].size() == result.summary.iterations.size());
+  const Mesh mesh = read_medit(folder.file("mesh.mesh"));
+  CHECK(mesh.num_vertices() == result.summary.iterations.back().vertices);
+  CHECK(read_medit_metric(folder.file("iterations/001/metric.sol")).size() ==
+        static_cast<std::size_t>(result.summary.iterations[1].vertices));
+}
+
+TEST_CASE("the same case leaves the same mesh file", "[adapt][run]") {
+  const TemporaryFolder a("run_same_a");
+  const TemporaryFolder b("run_same_b");
+  run_case(interpolation_case("sin(3*x)*y^2", small), into(a));
+  run_case(interpolation_case("sin(3*x)*y^2", small), into(b));
+  CHECK(content(a.file("mesh.mesh")) == content(b.file("mesh.mesh")));
+}
+
+TEST_CASE("run_case does not touch a folder with files unless told to", "[adapt][run][errors]") {
+  const TemporaryFolder folder("run_overwrite");
+  RunOptions options = into(folder);
+  const Case input = interpolation_case("sin(3*x)*y^2", small);
+  run_case(input, options);
+  std::ofstream(folder.file("notes.txt")) << "mine";
+  CHECK_THROWS_AS(run_case(input, options), FileError);
+  CHECK(folder.has("summary.json"));
+  options.overwrite = true;
+  run_case(input, options);
+  CHECK(folder.has("summary.json"));
+  CHECK(content(folder.file("notes.txt")) == "mine");
+}
+
+TEST_CASE("a run that fails leaves no summary", "[adapt][run][errors]") {
+  const TemporaryFolder folder("run_fails");
+  RunOptions options = into(folder);
+  options.max_vertices = 150;
+  CHECK_THROWS_AS(run_case(interpolation_case("sin(3*x)*y^2", R"({"l2_error": 1e-9})"), options), LimitError);
+  CHECK_FALSE(folder.has("summary.json"));
+  CHECK_FALSE(folder.has("mesh.mesh"));
+}
+
+TEST_CASE("exit codes tell a missed target from an interrupt", "[adapt][run]") {
+  const TemporaryFolder missed("run_missed");
+  const Case hopeless = interpolation_case("sin(3*x)*y^2", R"({"l2_error": 1e-9, "max_iterations": 2})");
+  CHECK(run_case(hopeless, into(missed)).exit_code == 9);
+  const TemporaryFolder stopped("run_stopped");
+  const std::atomic<bool> stop{true};
+  RunOptions options = into(stopped);
+  options.interrupted = &stop;
+  const RunResult result = run_case(hopeless, options);
+  CHECK(result.exit_code == 130);
+  CHECK(result.summary.stop_reason == StopReason::Interrupted);
+}
+
+TEST_CASE("progress gets one line per iteration unless quiet", "[adapt][run]") {
+  const TemporaryFolder folder("run_progress");
+  RunOptions options = into(folder);
+  std::size_t lines = 0;
+  options.progress = [&lines](const std::string& line) {
+    ++lines;
+    CHECK(line.find('\n') == std::string::npos);
+  };
+  const RunResult result = run_case(interpolation_case("sin(3*x)*y^2", small), options);
+  CHECK(lines == result.summary.iterations.size());
+  options.quiet = options.overwrite = true;
+  run_case(interpolation_case("sin(3*x)*y^2", small), options);
+  CHECK(lines == result.summary.iterations.size());
+}
+
+TEST_CASE("verify checks limits on the last iteration and on the run", "[adapt][run]") {
+  Summary summary;
+  summary.targets_met = true;
+  summary.iterations.resize(2);
+  summary.iterations[0].efficiency = 9.0;
+  summary.iterations[1].efficiency = 1.25;
+  summary.iterations[1].vertices = 100;
+  const auto passes = [&summary](const Expectation& e) { return verify({e}, summary).front().passed; };
+  CHECK(passes({"efficiency", std::nullopt, 1.25, std::nullopt}));
+  CHECK_FALSE(passes({"efficiency", std::nullopt, 1.2, std::nullopt}));
+  CHECK(passes({"vertices", 100.0, std::nullopt, std::nullopt}));
+  CHECK_FALSE(passes({"vertices", 101.0, std::nullopt, std::nullopt}));
+  CHECK(passes({"targets_met", std::nullopt, std::nullopt, true}));
+  CHECK_FALSE(passes({"targets_met", std::nullopt, std::nullopt, false}));
+  CHECK_FALSE(passes({"solution_error.l2", std::nullopt, 1.0, std::nullopt}));  // there is none
+  CHECK(verify({{"efficiency", std::nullopt, 1.2, std::nullopt}}, summary)[0].message == "efficiency = 1.25, max 1.2");
+}

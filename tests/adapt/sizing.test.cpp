@@ -1,0 +1,113 @@
+#include "adapt/sizing.h"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+using namespace parmesan;
+
+namespace {
+
+const SizeGoal to_error{true, std::nullopt, std::nullopt};
+const SizeGoal to_size{false, 16000.0, std::nullopt};
+
+}  // namespace
+
+TEST_CASE("predicted_vertices inverts error = c N^-order", "[adapt][sizing]") {
+  CHECK(predicted_vertices(1000, 8e-3, 1e-3, 1.0) == Approx(8000.0));
+  CHECK(predicted_vertices(1000, 8e-3, 1e-3, 0.5) == Approx(64000.0));
+  CHECK(predicted_vertices(1000, 1e-3, 1e-3, 1.0) == Approx(1000.0));
+}
+
+TEST_CASE("observed_order is that between the last passes of two sizes, in bounds", "[adapt][sizing]") {
+  CHECK(observed_order(std::vector<SizeStep>{{400, 400, 1.0}}) == 1.0);
+  CHECK(observed_order(std::vector<SizeStep>{{400, 400, 9.0}, {400, 400, 1.0}, {1600, 1600, 0.5}}) == Approx(0.5));
+  CHECK(observed_order(std::vector<SizeStep>{{400, 400, 1.0}, {1600, 1600, 0.01}}) == 1.1);
+  CHECK(observed_order(std::vector<SizeStep>{{400, 400, 1.0}, {1600, 1600, 1.0}}) == 0.4);
+}
+
+TEST_CASE("next_size stops as soon as the error targets are met", "[adapt][sizing]") {
+  const SizeDecision d = next_size(std::vector<SizeStep>{{400, 410, 0.99, false}}, to_error);
+  CHECK(d.stop == StopReason::ErrorTarget);
+}
+
+TEST_CASE("next_size stays at the first size while passes still pay", "[adapt][sizing]") {
+  std::vector<SizeStep> history{{400, 400, 100, false}, {400, 400, 30, true}};
+  CHECK(next_size(history, to_error).asked == 400);
+  history.push_back({400, 400, 12, true});
+  CHECK(next_size(history, to_error).asked == 400);
+  history.push_back({400, 400, 11, true});  // a factor of 1.1 only: time to grow, but by 4 at most
+  CHECK(next_size(history, to_error).asked == 1600);
+}
+
+TEST_CASE("next_size repeats a size at which the error falls much faster than the size grew", "[adapt][sizing]") {
+  std::vector<SizeStep> history{{400, 400, 300}, {400, 400, 300}, {400, 400, 300}, {1600, 1600, 30}};
+  CHECK(next_size(history, to_error).asked == 1600);  // 75 was to be expected: the layer is being found
+  history.push_back({1600, 1600, 25});
+  CHECK(next_size(history, to_error).asked > 1600);
+}
+
+TEST_CASE("next_size repeats a size at which the mesh has not yet found the layer", "[adapt][sizing]") {
+  const std::vector<SizeStep> settled{{400, 400, 30, true}, {400, 400, 20, true}, {400, 400, 19, true}};
+  std::vector<SizeStep> history = settled;
+  history.push_back({1600, 1600, 12});  // 19 / 4 was to be expected
+  CHECK(next_size(history, to_error).asked == 1600);
+  history.back().error = 5.0;
+  CHECK(next_size(history, to_error).asked > 1600);
+}
+
+TEST_CASE("next_size lands on an error target with a few per cent to spare", "[adapt][sizing]") {
+  // error = 8000 / N exactly, so 8000 vertices are wanted.
+  std::vector<SizeStep> history{{1000, 1000, 8}, {1000, 1000, 8}, {1000, 1000, 8}, {4000, 4000, 2}};
+  SizeDecision d = next_size(history, to_error);
+  CHECK_FALSE(d.stop.has_value());
+  CHECK(d.asked == Approx(6000.0));  // from below first
+  history.push_back({6000, 6000, 8.0 / 6.0});
+  d = next_size(history, to_error);
+  CHECK(d.asked > 8000.0);
+  CHECK(d.asked < 8000.0 * 1.05);
+}
+
+TEST_CASE("next_size corrects a near miss without further settling", "[adapt][sizing]") {
+  const std::vector<SizeStep> history{{1000, 1000, 8}, {1000, 1000, 8}, {1000, 1000, 8}, {4000, 4000, 1.05}};
+  const SizeDecision d = next_size(history, to_error);
+  CHECK(d.asked > 4000.0);
+  CHECK(d.asked < 4000.0 * 1.15);
+}
+
+TEST_CASE("next_size climbs to the size aimed at and settles there", "[adapt][sizing]") {
+  std::vector<SizeStep> history{{400, 400, 9, false}, {400, 400, 1}, {400, 400, 1}, {400, 400, 1}};
+  CHECK(next_size(history, to_size).asked == 1600);
+  history.push_back({1600, 1600, 0.25});
+  CHECK(next_size(history, to_size).asked == 6400);
+  history.push_back({6400, 6400, 0.0625});
+  CHECK(next_size(history, to_size).asked == 16000);
+  for (const double error : {0.03, 0.026, 0.0258}) {
+    CHECK_FALSE(next_size(history, to_size).stop.has_value());
+    history.push_back({16000, 16000, error});
+  }
+  CHECK(next_size(history, to_size).stop == StopReason::Vertices);
+}
+
+TEST_CASE("next_size never asks for more than the cap and ends there", "[adapt][sizing]") {
+  const SizeGoal goal{true, std::nullopt, 5000.0};
+  std::vector<SizeStep> history{{2000, 2000, 50}, {2000, 2000, 50}, {2000, 2000, 50}};
+  CHECK(next_size(history, goal).asked == 5000);
+  for (int pass = 0; pass < 3; ++pass) history.push_back({5000, 5000, 20});
+  CHECK(next_size(history, goal).stop == StopReason::VertexBudget);
+}
+
+TEST_CASE("next_size gives up when more vertices do not help", "[adapt][sizing]") {
+  std::vector<SizeStep> history{{400, 400, 10, false}, {400, 400, 5}, {400, 400, 5}, {400, 400, 5}};
+  std::optional<StopReason> stop;
+  for (int pass = 0; pass < 30 && !stop; ++pass) {
+    const SizeDecision d = next_size(history, to_error);
+    stop = d.stop;
+    history.push_back({d.asked, d.asked, 5});
+  }
+  CHECK(stop == StopReason::Stagnated);
+}
+
+TEST_CASE("next_size ends at the first size when nothing is aimed at", "[adapt][sizing]") {
+  const std::vector<SizeStep> history{{400, 400, 2, false}, {400, 400, 1}, {400, 400, 1}, {400, 400, 0.99}};
+  CHECK(next_size(history, SizeGoal{}).stop == StopReason::Unchanged);
+}

@@ -1,0 +1,74 @@
+#include "adapt/summary.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <sstream>
+
+#include "tests/support/meshes.h"
+
+using namespace parmesan;
+
+namespace {
+
+Summary one_row() {
+  Summary summary;
+  summary.case_name = std::string("a case");
+  summary.stop_reason = StopReason::VertexBudget;
+  IterationRow row;
+  row.vertices = 12;
+  row.interpolation_error = ErrorNorms{1.0, 0.5, 2.0, 3.0};
+  row.seconds.mesh = 0.25;
+  summary.iterations.push_back(row);
+  return summary;
+}
+
+}  // namespace
+
+TEST_CASE("summary.json has every field that users rely on", "[adapt][summary]") {
+  const nlohmann::ordered_json json = to_json(one_row());
+  for (const char* key : {"case", "version", "seed", "threads", "stop_reason", "targets_met", "iterations"})
+    CHECK(json.contains(key));
+  CHECK(json["stop_reason"] == "vertex_budget");
+  const nlohmann::ordered_json& row = json["iterations"][0];
+  for (const char* key : {"iteration", "vertices", "triangles", "complexity", "interpolation_error", "efficiency",
+                          "solution_error", "estimated_error", "goal", "unit_edges", "edge_length", "quality",
+                          "worst_element", "seconds", "peak_memory_mb"})
+    CHECK(row.contains(key));
+  CHECK(row["interpolation_error"]["linf"] == 2.0);
+  CHECK(row["seconds"]["total"] == 0.25);
+}
+
+TEST_CASE("absent and not finite values are null", "[adapt][summary]") {
+  Summary summary = one_row();
+  summary.iterations[0].interpolation_error->h1 = std::numeric_limits<double>::infinity();
+  const nlohmann::ordered_json row = to_json(summary)["iterations"][0];
+  CHECK(row["solution_error"].is_null());
+  CHECK(row["efficiency"].is_null());
+  CHECK(row["goal"].is_null());
+  CHECK(row["interpolation_error"]["h1"].is_null());
+}
+
+TEST_CASE("convergence.csv has as many cells in each line as names in the first", "[adapt][summary]") {
+  Summary summary = one_row();
+  summary.iterations.push_back(summary.iterations[0]);
+  std::istringstream text(convergence_csv(summary));
+  std::string header, line;
+  std::getline(text, header);
+  CHECK(header.substr(0, 28) == "iteration,vertices,triangles");
+  int lines = 0;
+  for (; std::getline(text, line); ++lines) CHECK(std::ranges::count(line, ',') == std::ranges::count(header, ','));
+  CHECK(lines == 2);
+}
+
+TEST_CASE("set_quality says where the worst element lies", "[adapt][summary]") {
+  Mesh mesh = support::rectangle_mesh(1, 1);
+  MeshQuality quality;
+  quality.worst_triangle = 1;  // (0,0) (1,1) (0,1)
+  quality.quality_min = 0.3;
+  IterationRow row;
+  set_quality(row, mesh, quality);
+  CHECK(row.worst.center.x == Approx(1.0 / 3.0));
+  CHECK(row.worst.center.y == Approx(2.0 / 3.0));
+  CHECK(row.worst.quality == 0.3);
+}

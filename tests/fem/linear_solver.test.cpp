@@ -1,0 +1,146 @@
+#include "fem/linear_solver.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "fem/multigrid.h"
+#include "fem/norms.h"
+#include "fem/reduction.h"
+#include "fem/solve.h"
+#include "tests/fem/manufactured.h"
+
+namespace parmesan {
+namespace {
+
+using namespace support;
+
+Problem poisson() {
+  Problem problem;
+  problem.source = [](const Point& p, int) { return -Wave::xx(p) - Wave::yy(p); };
+  problem.boundary = dirichlet_everywhere(Wave::value);
+  return problem;
+}
+
+ReducedSystem reduced_poisson(const Mesh& mesh) {
+  const Problem problem = poisson();
+  return reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+}
+
+}  // namespace
+
+TEST_CASE("a singular system is refused whatever the solver says", "[fem][solver][errors]") {
+  RowMatrix matrix(2, 2);
+  matrix.insert(0, 0) = 1.0;
+  matrix.insert(0, 1) = -1.0;
+  matrix.insert(1, 0) = -1.0;
+  matrix.insert(1, 1) = 1.0;
+  const Eigen::VectorXd b = Eigen::Vector2d(1.0, 1.0);
+  for (const MatrixKind kind : {MatrixKind{true, true}, MatrixKind{true, false}, MatrixKind{}}) {
+    CHECK_THROWS_AS(solve_linear(matrix, b, kind, Eigen::VectorXd::Zero(2)), SolveError);
+  }
+}
+
+TEST_CASE("a pure Neumann system that reaches the solvers is refused although they report success",
+          "[fem][solver][errors]") {
+  // The load sums to 1 and the rows to 0: there is no solution. Round-off makes the last pivot small instead of zero.
+  Problem problem;
+  problem.source = [](const Point&, int) { return 1.0; };
+  const AssembledSystem system = assemble(random_square(20, 0.2, 3), problem);
+  const Eigen::VectorXd guess = Eigen::VectorXd::Zero(system.load.size());
+  for (const MatrixKind kind : {MatrixKind{true, true}, MatrixKind{}}) {
+    CHECK_THROWS_AS(solve_linear(system.matrix, system.load, kind, guess), SolveError);
+  }
+}
+
+TEST_CASE("a wrong claim of symmetry is found out and corrected", "[fem][solver]") {
+  // [4 1; 3 2] x = (1, 3): x = (2 - 3, 12 - 3) / 5 = (-0.2, 1.8). LDLT reads the lower half only.
+  RowMatrix matrix(2, 2);
+  matrix.insert(0, 0) = 4.0;
+  matrix.insert(0, 1) = 1.0;
+  matrix.insert(1, 0) = 3.0;
+  matrix.insert(1, 1) = 2.0;
+  const LinearResult result = solve_linear(matrix, Eigen::Vector2d(1, 3), {true, true}, Eigen::Vector2d::Zero());
+  CHECK(result.solver == "LU");
+  CHECK(result.x[0] == Approx(-0.2).epsilon(1e-14));
+  CHECK(result.x[1] == Approx(1.8).epsilon(1e-14));
+}
+
+TEST_CASE("a system without unknowns has an empty solution", "[fem][solver]") {
+  CHECK(solve_linear(RowMatrix(0, 0), Eigen::VectorXd(0), {}, Eigen::VectorXd(0)).x.size() == 0);
+}
+
+TEST_CASE("backward_error is that of the definition", "[fem][solver]") {
+  // A = diag(2, 4), x = (1, 1), b = (2, 5): r = (0, 1), norms 4, 1, 5: 1 / 9.
+  RowMatrix matrix(2, 2);
+  matrix.insert(0, 0) = 2.0;
+  matrix.insert(1, 1) = 4.0;
+  CHECK(backward_error(matrix, Eigen::Vector2d(1, 1), Eigen::Vector2d(2, 5)) == Approx(1.0 / 9.0).epsilon(1e-15));
+  CHECK(std::isinf(backward_error(matrix, Eigen::Vector2d(1, NAN), Eigen::Vector2d(2, 5))));
+}
+
+TEST_CASE("a multigrid cycle is a symmetric positive definite operator", "[fem][solver][multigrid]") {
+  const ReducedSystem system = reduced_poisson(random_square(48, 0.2, 1));
+  AggregationMultigrid multigrid;
+  multigrid.compute(system.matrix);
+  Eigen::VectorXd x(system.load.size());
+  Eigen::VectorXd y(system.load.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    x[i] = std::sin(3.7 * static_cast<double>(i));
+    y[i] = std::cos(1.3 * static_cast<double>(i * i % 1000));
+  }
+  CHECK(x.dot(multigrid.solve(y)) == Approx(y.dot(multigrid.solve(x))).epsilon(1e-10));
+  CHECK(x.dot(multigrid.solve(x)) > 0.0);
+}
+
+TEST_CASE("a multigrid cycle reduces the error on round and on stretched meshes", "[fem][solver][multigrid]") {
+  const double stretch = GENERATE(1.0, 1e-2, 1e-4);
+  const ReducedSystem system = reduced_poisson(mapped(random_square(64, 0.2, 2), [=](const Point& p) {
+    return Point{p.x, stretch * p.y};
+  }));
+  AggregationMultigrid multigrid;
+  multigrid.compute(system.matrix);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.load.size());
+  for (int cycle = 0; cycle < 20; ++cycle) x += multigrid.solve(system.load - system.matrix * x);
+  CHECK((system.load - system.matrix * x).norm() < 1e-3 * system.load.norm());
+}
+
+TEST_CASE("iterative solvers agree with direct ones", "[fem][solver][slow]") {
+  // 350^2 cells are beyond the size at which iterations begin; the error of P1 is the oracle.
+  const Mesh mesh = bent_square(350);
+  Problem problem = poisson();
+  double error = 0.0;
+
+  SECTION("CG") {
+    const Solution solution = solve(mesh, problem);
+    CHECK(solution.report.solver == "CG");
+    CHECK(solution.report.iterations < 40);
+    error = error_norms(mesh, solution.values, Wave::exact()).l2;
+    const Solution again = solve(mesh, problem, solution.values);
+    CHECK(again.report.iterations < 5);
+  }
+  SECTION("CG, pure Neumann") {
+    for (auto& [label, condition] : problem.boundary) {
+      condition = neumann([](const Point& p, const Vector& n, int) { return dot(n, Wave::gradient(p)); });
+    }
+    const Solution solution = solve(mesh, problem);
+    CHECK(solution.report.solver == "CG");
+    CHECK(solution.report.iterations < 60);
+    const double shift = Wave::value({0, 0}) - solution.values[0];
+    std::vector<double> values = solution.values;
+    for (double& v : values) v += shift;
+    error = error_norms(mesh, values, Wave::exact()).l2;
+  }
+  SECTION("BiCGSTAB") {
+    const double speed = GENERATE(1.0, 1e3);
+    problem.velocity = [speed](const Point&, int) { return Vector{speed, 0.5 * speed}; };
+    problem.source = [speed](const Point& p, int) {
+      return -Wave::xx(p) - Wave::yy(p) + dot(Vector{speed, 0.5 * speed}, Wave::gradient(p));
+    };
+    const Solution solution = solve(mesh, problem);
+    CHECK(solution.report.solver == "BiCGSTAB");
+    error = error_norms(mesh, solution.values, Wave::exact()).l2;
+  }
+  CHECK(error < 1e-5);
+}
+
+}  // namespace parmesan

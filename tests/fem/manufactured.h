@@ -1,0 +1,76 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "fem/norms.h"
+#include "fem/problem.h"
+#include "fem/solve.h"
+#include "tests/support/meshes.h"
+
+namespace parmesan::support {
+
+/// u = sin(2x + y) + x exp(y) / 4 with its derivatives by hand.
+struct Wave {
+  static double value(const Point& p) { return std::sin(2 * p.x + p.y) + 0.25 * p.x * std::exp(p.y); }
+  static Vector gradient(const Point& p) {
+    const double c = std::cos(2 * p.x + p.y), e = 0.25 * std::exp(p.y);
+    return {2 * c + e, c + p.x * e};
+  }
+  static double xx(const Point& p) { return -4 * std::sin(2 * p.x + p.y); }
+  static double xy(const Point& p) { return -2 * std::sin(2 * p.x + p.y) + 0.25 * std::exp(p.y); }
+  static double yy(const Point& p) { return -std::sin(2 * p.x + p.y) + 0.25 * p.x * std::exp(p.y); }
+  static ExactFunction exact() { return {value, gradient}; }
+};
+
+inline BoundaryCondition dirichlet(BoundaryData value) { return {BoundaryKind::Dirichlet, std::move(value), {}}; }
+inline BoundaryCondition neumann(BoundaryData value) { return {BoundaryKind::Neumann, std::move(value), {}}; }
+inline BoundaryCondition robin(BoundaryData coefficient, BoundaryData value) {
+  return {BoundaryKind::Robin, std::move(value), std::move(coefficient)};
+}
+
+/// Dirichlet data of u on the four sides of a rectangle.
+inline std::map<int, BoundaryCondition> dirichlet_everywhere(double (*u)(const Point&)) {
+  const BoundaryCondition condition = dirichlet([u](const Point& p, const Vector&, int) { return u(p); });
+  return {{Bottom, condition}, {Right, condition}, {Top, condition}, {Left, condition}};
+}
+
+/// 3 - 2x + 5y.
+inline double linear(const Point& p) { return 3 - 2 * p.x + 5 * p.y; }
+
+/// Largest difference at the vertices.
+inline double largest_error(const Mesh& mesh, std::span<const double> values, double (*exact)(const Point&)) {
+  double largest = 0.0;
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    largest = std::max(largest, std::abs(values[v] - exact(mesh.points[v])));
+  }
+  return largest;
+}
+
+/// The message of the ProblemError that solving raises.
+inline std::string refusal(const Mesh& mesh, const Problem& problem) {
+  try {
+    solve(mesh, problem);
+  } catch (const ProblemError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// -laplace u = 1 on a rectangle, u = 0 on all sides.
+inline Problem unit_poisson() {
+  Problem problem;
+  problem.diffusion = [](const Point&, int) { return Diffusion{}; };
+  problem.source = [](const Point&, int) { return 1.0; };
+  for (const int label : {Bottom, Right, Top, Left}) problem.boundary[label] = dirichlet({});
+  return problem;
+}
+
+/// The same condition on all labels.
+inline void set_all(Problem& problem, const BoundaryCondition& condition) {
+  for (auto& [label, old] : problem.boundary) old = condition;
+}
+
+}  // namespace parmesan::support

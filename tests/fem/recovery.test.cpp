@@ -1,0 +1,151 @@
+#include "fem/recovery.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "fem/norms.h"
+#include "fem/solve.h"
+#include "mesher/errors.h"
+#include "tests/fem/manufactured.h"
+
+namespace parmesan {
+namespace {
+
+using namespace support;
+
+/// q = 1 + 2x - y + 3/2 x^2 - 4 xy + 5/2 y^2.
+double quadratic(const Point& p) { return 1 + 2 * p.x - p.y + 1.5 * p.x * p.x - 4 * p.x * p.y + 2.5 * p.y * p.y; }
+Vector quadratic_gradient(const Point& p) { return {2 + 3 * p.x - 4 * p.y, -1 - 4 * p.x + 5 * p.y}; }
+
+struct Rms {
+  double all = 0.0;
+  double inside = 0.0;
+};
+
+/// Root mean square of the recovered Hessians' error.
+Rms hessian_error(const Mesh& mesh, Recovery recovery) {
+  const std::vector<Hessian> h = recover_hessians(mesh, interpolate(mesh, Wave::value), recovery);
+  Rms sum;
+  int inside = 0;
+  for (std::size_t v = 0; v < h.size(); ++v) {
+    const Point& p = mesh.points[v];
+    const double e = std::pow(h[v].xx - Wave::xx(p), 2) + 2 * std::pow(h[v].xy - Wave::xy(p), 2) +
+                     std::pow(h[v].yy - Wave::yy(p), 2);
+    sum.all += e;
+    if (std::min({p.x, p.y, 1 - p.x, 1 - p.y}) < 0.2) continue;
+    sum.inside += e;
+    ++inside;
+  }
+  return {std::sqrt(sum.all / static_cast<double>(h.size())), std::sqrt(sum.inside / inside)};
+}
+
+}  // namespace
+
+TEST_CASE("LeastSquares recovers quadratics exactly, at the boundary too", "[fem][recovery]") {
+  const Mesh mesh = GENERATE(random_square(10, 0.24, 1), rectangle_mesh(2, 2), rectangle_mesh(6, 3), bent_square(8));
+  const std::vector<double> values = interpolate(mesh, quadratic);
+  const std::vector<Vector> gradients = recover_gradients(mesh, values);
+  const std::vector<Hessian> hessians = recover_hessians(mesh, values);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    CHECK(norm(gradients[v] - quadratic_gradient(mesh.points[v])) < 1e-10);
+    CHECK(hessians[v].xx == Approx(3).margin(1e-8));
+    CHECK(hessians[v].xy == Approx(-4).margin(1e-8));
+    CHECK(hessians[v].yy == Approx(5).margin(1e-8));
+  }
+}
+
+TEST_CASE("LeastSquares is exact on quadratics on patches stretched by 1e4 in any direction", "[fem][recovery]") {
+  // u = 3 x^2 - 4 s x t + 5 t^2 halved with t = y / stretch before the rotation: the second
+  // derivatives in the stretched coordinates are O(1), and are compared there.
+  const double stretch = 1e-4;
+  const double angle = GENERATE(0.0, 0.3, 1.2);
+  const Vector a{std::cos(angle), std::sin(angle)};
+  const Vector b{-std::sin(angle), std::cos(angle)};
+  const Mesh flat = random_square(9, 0.2, 2);
+  const Mesh mesh = mapped(flat, [=](const Point& p) { return p.x * a + stretch * p.y * b; });
+  const std::vector<Hessian> hessians = recover_hessians(mesh, interpolate(flat, quadratic));
+  const auto along = [](const Hessian& h, const Vector& d, const Vector& e) {
+    return h.xx * d.x * e.x + h.xy * (d.x * e.y + d.y * e.x) + h.yy * d.y * e.y;
+  };
+  for (const Hessian& h : hessians) {
+    CHECK(along(h, a, a) == Approx(3).margin(1e-3));
+    CHECK(stretch * along(h, a, b) == Approx(-4).margin(1e-6));
+    CHECK(stretch * stretch * along(h, b, b) == Approx(5).margin(1e-7));
+  }
+}
+
+TEST_CASE("recovered Hessians converge", "[fem][recovery]") {
+  SECTION("LeastSquares: order 1 at least everywhere") {
+    const Rms coarse = hessian_error(bent_square(24), Recovery::LeastSquares);
+    const Rms fine = hessian_error(bent_square(48), Recovery::LeastSquares);
+    CHECK(std::log2(coarse.all / fine.all) > 0.95);
+    CHECK(std::log2(coarse.inside / fine.inside) > 1.0);
+  }
+  SECTION("DoubleProjection: inside") {
+    const Rms coarse = hessian_error(bent_square(24), Recovery::DoubleProjection);
+    const Rms fine = hessian_error(bent_square(48), Recovery::DoubleProjection);
+    CHECK(std::log2(coarse.inside / fine.inside) > 0.9);
+  }
+}
+
+TEST_CASE("DoubleProjection is exact on quadratics inside a uniform mesh", "[fem][recovery]") {
+  const int n = 8;
+  const Mesh mesh = rectangle_mesh(n, n);
+  const std::vector<Hessian> h = recover_hessians(mesh, interpolate(mesh, quadratic), Recovery::DoubleProjection);
+  for (int j = 2; j <= n - 2; ++j) {
+    for (int i = 2; i <= n - 2; ++i) {
+      const Hessian& at = h[static_cast<std::size_t>(j * (n + 1) + i)];
+      CHECK(at.xx == Approx(3).epsilon(1e-10));
+      CHECK(at.xy == Approx(-4).epsilon(1e-10));
+      CHECK(at.yy == Approx(5).epsilon(1e-10));
+    }
+  }
+}
+
+TEST_CASE("where the mesh cannot determine a quadratic, recovery stays finite", "[fem][recovery]") {
+  const Mesh mesh = GENERATE(rectangle_mesh(1, 1), rectangle_mesh(30, 1));
+  const std::vector<Hessian> h = recover_hessians(mesh, interpolate(mesh, quadratic));
+  for (const Hessian& at : h) CHECK(std::isfinite(at.xx + at.xy + at.yy));
+}
+
+TEST_CASE("recovery of a linear function is zero to round-off", "[fem][recovery]") {
+  const Mesh mesh = random_square(10, 0.24, 3);
+  const auto values = interpolate(mesh, [](const Point& p) { return 1e3 + 2 * p.x - 3 * p.y; });
+  for (const Hessian& h : recover_hessians(mesh, values)) {
+    CHECK(std::abs(h.xx) + std::abs(h.xy) + std::abs(h.yy) < 1e-8);
+  }
+  const EstimatedError e = estimate_error(mesh, values);
+  CHECK(e.l2 < 1e-10);
+  CHECK(e.h1 < 1e-10);
+}
+
+TEST_CASE("the H1 estimate of a smooth solution is the error up to 5 %", "[fem][recovery][estimate]") {
+  Problem problem;
+  problem.source = [](const Point& p, int) { return -Wave::xx(p) - Wave::yy(p); };
+  problem.boundary = dirichlet_everywhere(Wave::value);
+  const Mesh mesh = GENERATE(bent_square(24), random_square(24, 0.2, 4));
+  const std::vector<double> u = solve(mesh, problem).values;
+  const ErrorNorms e = error_norms(mesh, u, Wave::exact());
+  CHECK(estimate_error(mesh, u).h1 / e.h1 == Approx(1.0).epsilon(0.05));
+}
+
+TEST_CASE("the L2 estimate is the interpolation error of a quadratic exactly", "[fem][recovery][estimate]") {
+  const Mesh mesh = GENERATE(random_square(10, 0.24, 5), mapped(random_square(10, 0.24, 6), [](const Point& p) {
+                               return Point{p.x, 1e-2 * p.y};
+                             }));
+  const std::vector<double> values = interpolate(mesh, quadratic);
+  const ErrorNorms e = error_norms(mesh, values, {quadratic, quadratic_gradient});
+  CHECK(estimate_error(mesh, values).l2 == Approx(e.l2).epsilon(1e-6));
+}
+
+TEST_CASE("values of the wrong number are refused by recovery", "[fem][recovery][errors]") {
+  const std::vector<double> values(3, 0.0);
+  const Mesh mesh = rectangle_mesh(2, 2);
+  CHECK_THROWS_AS(recover_gradients(mesh, values), InputError);
+  CHECK_THROWS_AS(recover_hessians(mesh, values), InputError);
+  CHECK_THROWS_AS(recover_hessians(mesh, values, Recovery::DoubleProjection), InputError);
+  CHECK_THROWS_AS(estimate_error(mesh, values), InputError);
+}
+
+}  // namespace parmesan

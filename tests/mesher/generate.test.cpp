@@ -1,0 +1,141 @@
+#include "mesher/generate.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "mesher/errors.h"
+#include "mesher/metric/background_mesh.h"
+#include "mesher/quality.h"
+#include "tests/oracle/mesh_checker.h"
+#include "tests/support/domains.h"
+
+using namespace parmesan;
+
+namespace {
+
+std::vector<Metric> sample(const MetricField& field, const Mesh& mesh) {
+  std::vector<Metric> metrics;
+  MetricHint hint = -1;
+  for (const Point& p : mesh.points) metrics.push_back(field.at(p, hint));
+  return metrics;
+}
+
+MeshQuality quality_in(const MetricField& field, const Mesh& mesh) {
+  return measure_quality(mesh, sample(field, mesh));
+}
+
+// A front along the circle of radius 0.7 about (-0.05, -0.05), of width w, meshed 1:20 across.
+CallableField circular_front(double w, double coarse) {
+  return CallableField([=](const Point& p) {
+    const Vector r{p.x + 0.05, p.y + 0.05};
+    const double distance = std::abs(norm(r) - 0.7);
+    const double across = coarse * std::min(1.0, 0.05 + distance / (20.0 * w));
+    return Metric::from_sizes(across, coarse, std::atan2(r.y, r.x));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a uniform mesh of the unit square is valid, unit and of the right size", "[mesher][generate]") {
+  const Preset preset = GENERATE(Preset::Fast, Preset::Mid, Preset::Good);
+  const ConstantField field(Metric::isotropic(0.03));
+  const GenerateResult result = generate(support::unit_square(), field, {.preset = preset});
+  CHECK(oracle::problems_of(result.mesh).empty());
+  CHECK(oracle::area_of(result.mesh) == Approx(1.0).epsilon(1e-12));
+  const MeshQuality q = quality_in(field, result.mesh);
+  CHECK(q.unit_edges >= 0.99);
+  CHECK(q.quality_mean >= 0.96);
+  CHECK(q.quality_min >= 0.4);
+  // Triangles of unit sides: 2 area / (sqrt3 / 2 h^2).
+  CHECK(result.mesh.num_triangles() == Approx(4.0 / std::sqrt(3.0) / (0.03 * 0.03)).epsilon(0.05));
+}
+
+TEST_CASE("holes, segments, points and labels are kept", "[mesher][generate]") {
+  const Domain domain = support::square_with_everything();
+  const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.05 * p.x, 0.06, p.y); });
+  const Mesh mesh = generate(domain, field).mesh;
+  CHECK(oracle::problems_of(mesh).empty());
+  // The hole (0.55,0.5) (0.8,0.55) (0.75,0.8) (0.5,0.75): shoelace formula gives 0.065.
+  CHECK(oracle::area_of(mesh) == Approx(1.0 - 0.065).epsilon(1e-12));
+  for (const Point& p : domain.points) CHECK(std::count(mesh.points.begin(), mesh.points.end(), p) == 1);
+  std::vector<double> length(10, 0.0);
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto& [a, b] = mesh.edges[e];
+    length[static_cast<std::size_t>(mesh.labels[e])] +=
+        norm(mesh.points[static_cast<std::size_t>(b)] - mesh.points[static_cast<std::size_t>(a)]);
+  }
+  for (const int side : {1, 2, 3, 4}) CHECK(length[static_cast<std::size_t>(side)] == Approx(1.0).epsilon(1e-12));
+  CHECK(length[9] == Approx(std::hypot(0.3, 0.2)).epsilon(1e-12));
+}
+
+TEST_CASE("an anisotropic front is met from scratch and from the previous mesh", "[mesher][generate]") {
+  const Domain domain = support::unit_square();
+  const CallableField field = circular_front(0.02, 0.05);
+  const GenerateResult scratch = generate(domain, field);
+  CHECK(scratch.report.start == Start::Scratch);
+  CHECK(oracle::problems_of(scratch.mesh).empty());
+  CHECK(quality_in(field, scratch.mesh).unit_edges >= 0.97);
+  CHECK(quality_in(field, scratch.mesh).quality_mean >= 0.93);
+
+  const GenerateResult again = generate(domain, field, {}, &scratch.mesh);
+  CHECK(again.report.start == Start::PreviousMesh);
+  CHECK(again.report.warnings.empty());
+  CHECK(oracle::problems_of(again.mesh).empty());
+  CHECK(quality_in(field, again.mesh).unit_edges >= 0.98);
+
+  SECTION("a background mesh that carries the metric does as well as the function") {
+    const BackgroundMesh background(scratch.mesh, sample(field, scratch.mesh));
+    const GenerateResult third = generate(domain, background, {}, &scratch.mesh);
+    CHECK(oracle::problems_of(third.mesh).empty());
+    CHECK(quality_in(background, third.mesh).unit_edges >= 0.98);
+  }
+  SECTION("a finer metric starts from the refined previous mesh") {
+    const CallableField fine = circular_front(0.02, 0.02);
+    const GenerateResult refined = generate(domain, fine, {}, &scratch.mesh);
+    CHECK(refined.report.start == Start::RefinedPreviousMesh);
+    CHECK(oracle::problems_of(refined.mesh).empty());
+    CHECK(quality_in(fine, refined.mesh).unit_edges >= 0.98);
+  }
+  SECTION("a coarser metric is met by annihilation") {
+    const ConstantField coarse(Metric::isotropic(0.2));
+    const GenerateResult few = generate(domain, coarse, {}, &scratch.mesh);
+    CHECK(oracle::problems_of(few.mesh).empty());
+    CHECK(few.mesh.num_vertices() < 60);
+  }
+}
+
+TEST_CASE("the same input gives the same bits", "[mesher][generate]") {
+  const CallableField field = circular_front(0.05, 0.1);
+  const Mesh a = generate(support::unit_square(), field).mesh;
+  const Mesh b = generate(support::unit_square(), field).mesh;
+  CHECK(a.points == b.points);
+  CHECK(a.triangles == b.triangles);
+}
+
+TEST_CASE("a size larger than the domain gives the coarsest conforming mesh", "[mesher][generate]") {
+  const Mesh mesh = generate(support::square_with_everything(), ConstantField(Metric::isotropic(100.0))).mesh;
+  CHECK(oracle::problems_of(mesh).empty());
+  CHECK(mesh.num_vertices() <= 20);
+}
+
+TEST_CASE("a previous mesh of another domain is not used, and that is said", "[mesher][generate]") {
+  const ConstantField field(Metric::isotropic(0.2));
+  const Mesh other = generate(support::square_with_everything(), field).mesh;
+  const GenerateResult result = generate(support::unit_square(), field, {}, &other);
+  CHECK(result.report.start == Start::Scratch);
+  REQUIRE(result.report.warnings.size() == 1);
+  CHECK(result.report.warnings[0].find("does not fit") != std::string::npos);
+}
+
+TEST_CASE("more vertices than allowed are refused before they are made", "[mesher][generate][errors]") {
+  CHECK_THROWS_AS(generate(support::unit_square(), ConstantField(Metric::isotropic(1e-6))), LimitError);
+  CHECK_THROWS_AS(generate(support::unit_square(), ConstantField(Metric::isotropic(0.01)), {.max_vertices = 1000}),
+                  LimitError);
+}
+
+TEST_CASE("crossing segments are refused with their numbers", "[mesher][generate][errors]") {
+  Domain domain = support::unit_square();
+  domain.points.insert(domain.points.end(), {{0.5, -0.5}, {0.5, 0.5}});
+  domain.segments.push_back({4, 5, 7});
+  CHECK_THROWS_AS(generate(domain, ConstantField(Metric::isotropic(0.1))), GeometryError);
+}

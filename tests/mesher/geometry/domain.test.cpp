@@ -1,0 +1,241 @@
+#include "mesher/geometry/domain.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesher/errors.h"
+
+using namespace parmesan;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// The ring 0, 1, ..., n - 1 with labels 1, 2, ..., n.
+Domain polygon(std::vector<Point> points) {
+  Domain domain;
+  domain.points = std::move(points);
+  const int n = static_cast<int>(domain.points.size());
+  for (int i = 0; i < n; ++i) domain.segments.push_back({i, (i + 1) % n, i + 1});
+  return domain;
+}
+
+Domain square() { return polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
+
+using Ends = std::vector<std::array<int, 3>>;
+
+/// (a, b, label) of each segment.
+Ends ends_of(const Domain& domain) {
+  Ends result;
+  for (const Segment& s : domain.segments) result.push_back({s.a, s.b, s.label});
+  return result;
+}
+
+std::string all_repairs(const CleanDomain& cleaned) {
+  std::string text;
+  for (const std::string& repair : cleaned.repairs) text += repair + "\n";
+  return text;
+}
+
+std::string error_of(const Domain& domain) {
+  try {
+    clean(domain);
+  } catch (const GeometryError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::vector<int> indices_of(const Domain& domain) {
+  try {
+    clean(domain);
+  } catch (const GeometryError& error) {
+    return error.indices();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("clean leaves a sound domain as it is", "[mesher][domain]") {
+  Domain domain = square();
+  domain.holes = {{0.25, 0.25}};
+  domain.regions = {{{0.75, 0.5}, 3}};
+  domain.inside = Inside::EvenOdd;
+  domain.label_names = {{1, "bottom"}};
+  domain.region_names = {{3, "steel"}};
+  const CleanDomain cleaned = clean(domain);
+  CHECK(cleaned.repairs.empty());
+  CHECK(cleaned.domain.points == domain.points);
+  CHECK(ends_of(cleaned.domain) == ends_of(domain));
+  CHECK(cleaned.domain.holes == domain.holes);
+  REQUIRE(cleaned.domain.regions.size() == 1);
+  CHECK(cleaned.domain.regions[0].point == Point{0.75, 0.5});
+  CHECK(cleaned.domain.regions[0].region == 3);
+  CHECK(cleaned.domain.inside == Inside::EvenOdd);
+  CHECK(cleaned.domain.label_names == domain.label_names);
+  CHECK(cleaned.domain.region_names == domain.region_names);
+}
+
+TEST_CASE("clean merges duplicate points into the first and names them", "[mesher][domain]") {
+  Domain domain;
+  domain.points = {{0, 0}, {1, 0}, {0.0, -0.0}, {1, 1}, {1, 0}};
+  domain.segments = {{2, 4, 1}, {4, 3, 2}, {3, 0, 3}};
+  const CleanDomain cleaned = clean(domain);
+  CHECK(cleaned.domain.points == std::vector<Point>{{0, 0}, {1, 0}, {1, 1}});
+  CHECK(ends_of(cleaned.domain) == Ends{{0, 1, 1}, {1, 2, 2}, {2, 0, 3}});
+  CHECK(cleaned.repairs == std::vector<std::string>{"merged 2 duplicate points: 2 into 0, 4 into 1"});
+}
+
+TEST_CASE("clean keeps points one ulp apart and notes it", "[mesher][domain]") {
+  const double next = std::nextafter(1.0, 2.0);
+  const CleanDomain cleaned = clean(polygon({{0, 0}, {1, 0}, {next, 0.0}, {1, 1}}));
+  CHECK(cleaned.domain.points.size() == 4);
+  CHECK_THAT(all_repairs(cleaned), Contains("kept points 1 and 2 apart") && Contains("resolution"));
+}
+
+TEST_CASE("clean drops repeated, reversed and zero-length segments, and the first keeps its label",
+          "[mesher][domain]") {
+  Domain domain = square();
+  domain.segments.push_back({1, 0, 9});
+  domain.segments.push_back({2, 2, 9});
+  domain.segments.push_back({1, 2, 2});
+  const CleanDomain cleaned = clean(domain);
+  CHECK(ends_of(cleaned.domain) == ends_of(square()));
+  CHECK_THAT(all_repairs(cleaned), Contains("1 zero-length segment: 5") && Contains("2 repeated segments") &&
+                                       Contains("4 lies on 0, whose label 1 beats 9") && Contains("6 lies on 1"));
+}
+
+TEST_CASE("clean splits segments at the points inside them, in order and with their label", "[mesher][domain]") {
+  Domain domain = square();
+  domain.points.push_back({0.75, 1.0});
+  domain.points.push_back({0.25, 1.0});
+  domain.points.push_back({0.5, 1.0});
+  domain.points.push_back({0.0, 0.5});
+  const CleanDomain cleaned = clean(domain);
+  CHECK(cleaned.domain.points == domain.points);
+  CHECK(ends_of(cleaned.domain) ==
+        Ends{{0, 1, 1}, {1, 2, 2}, {2, 4, 3}, {4, 6, 3}, {6, 5, 3}, {5, 3, 3}, {3, 7, 4}, {7, 0, 4}});
+  CHECK_THAT(all_repairs(cleaned), Contains("2 at point 4") && Contains("3 at point 7"));
+}
+
+TEST_CASE("clean does not split at a point that is one ulp off", "[mesher][domain]") {
+  Domain domain = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  domain.points.push_back({0.5, std::numeric_limits<double>::denorm_min()});
+  domain.points.push_back({std::nextafter(1.0, 0.0), 0.5});
+  CHECK(ends_of(clean(domain).domain) == ends_of(square()));
+}
+
+TEST_CASE("clean resolves overlapping collinear segments", "[mesher][domain]") {
+  Domain domain;
+  domain.points = {{0, 0}, {2, 0}, {1, 0}, {3, 0}, {1, 1}};
+  domain.segments = {{0, 1, 1}, {2, 3, 2}, {3, 4, 3}, {4, 0, 4}};
+  const CleanDomain cleaned = clean(domain);
+  CHECK(ends_of(cleaned.domain) == Ends{{0, 2, 1}, {2, 1, 1}, {1, 3, 2}, {3, 4, 3}, {4, 0, 4}});
+  CHECK_THAT(all_repairs(cleaned), Contains("1 lies on 0, whose label 1 beats 2"));
+}
+
+TEST_CASE("clean refuses crossings and names both segments and the point", "[mesher][domain][errors]") {
+  const Domain bow_tie = polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+  CHECK_THAT(error_of(bow_tie), Contains("segments 0 and 2 cross at (1, 1)"));
+  CHECK(indices_of(bow_tie) == std::vector<int>{0, 2});
+
+  Domain renumbered = bow_tie;  // the numbers given by the user, though earlier segments are dropped
+  renumbered.segments.insert(renumbered.segments.begin(), {1, 1, 7});
+  CHECK_THAT(error_of(renumbered), Contains("segments 1 and 3 cross at (1, 1)"));
+}
+
+TEST_CASE("clean sees a crossing of nearly parallel segments that rounding would hide", "[mesher][domain][errors]") {
+  const double tiny = std::ldexp(1.0, -52);
+  Domain domain = square();
+  domain.points.insert(domain.points.end(), {{0.125, 0.5}, {0.875, 0.5 + tiny}, {0.125, 0.5 + tiny}, {0.875, 0.5}});
+  domain.segments.push_back({4, 5, 5});
+  domain.segments.push_back({6, 7, 6});
+  CHECK(indices_of(domain) == std::vector<int>{4, 5});
+}
+
+TEST_CASE("clean refuses numbers that cannot be used, with their index", "[mesher][domain][errors]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, inf, -inf}) {
+    Domain domain = square();
+    domain.points[2].x = bad;
+    CHECK_THAT(error_of(domain), Contains("point 2") && Contains("not finite"));
+    CHECK(indices_of(domain) == std::vector<int>{2});
+    domain = square();
+    domain.holes = {{0.5, 0.5}, {0.1, bad}};
+    CHECK_THAT(error_of(domain), Contains("hole seed 1") && Contains("not finite"));
+  }
+  Domain domain = square();
+  domain.points[1].y = 1e141;
+  CHECK_THAT(error_of(domain), Contains("point 1") && Contains("scale"));
+  domain = square();
+  for (Point& p : domain.points) p = 1e-200 * p;
+  CHECK_THAT(error_of(domain), Contains("diameter"));
+}
+
+TEST_CASE("clean refuses indices out of range, with the segment", "[mesher][domain][errors]") {
+  for (const int bad : {4, -1, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
+    Domain domain = square();
+    domain.segments[3].b = bad;
+    CHECK_THAT(error_of(domain), Contains("segment 3 refers to point " + std::to_string(bad)) && Contains("from 0"));
+    CHECK(indices_of(domain) == std::vector<int>{3});
+  }
+}
+
+TEST_CASE("clean refuses domains without area", "[mesher][domain][errors]") {
+  CHECK_THAT(error_of(Domain()), Contains("at least 3"));
+  CHECK_THAT(error_of(polygon({{0, 0}, {1, 0}})), Contains("at least 3"));
+  CHECK_THAT(error_of(polygon({{0, 0}, {1, 0}, {1, 0}, {0, 0}})), Contains("there are 2"));
+  CHECK_THAT(error_of(polygon({{0, 0}, {0.1, 0.1}, {0.7, 0.7}, {3, 3}})), Contains("on the line"));
+  Domain points_only = square();
+  points_only.segments.clear();
+  CHECK_THAT(error_of(points_only), Contains("no segments"));
+}
+
+TEST_CASE("clean refuses an open boundary and names an open end", "[mesher][domain][errors]") {
+  Domain domain = square();
+  domain.segments.erase(domain.segments.begin() + 1);
+  CHECK_THAT(error_of(domain), Contains("open at point 1 (1, 0)"));
+  CHECK(indices_of(domain) == std::vector<int>{1});
+}
+
+TEST_CASE("clean keeps chains that end freely in a closed boundary and notes them", "[mesher][domain]") {
+  Domain domain = square();
+  domain.points.insert(domain.points.end(), {{0.5, 0.5}, {0.5, 0.75}});
+  domain.segments.push_back({0, 4, 5});
+  domain.segments.push_back({4, 5, 5});
+  const CleanDomain cleaned = clean(domain);
+  CHECK(cleaned.domain.segments.size() == 6);
+  CHECK_THAT(all_repairs(cleaned), Contains("free end: point 5"));
+}
+
+TEST_CASE("clean refuses seeds on segments and at points", "[mesher][domain][errors]") {
+  Domain domain = square();
+  domain.holes = {{0.5, 0.5}, {0.5, 0.0}};
+  CHECK_THAT(error_of(domain), Contains("hole seed 1 lies on segment 0"));
+  CHECK(indices_of(domain) == std::vector<int>{1});
+  domain = square();
+  domain.holes = {{0.5, 0.5}};
+  domain.regions = {{{1.0, 0.25}, 2}};
+  CHECK_THAT(error_of(domain), Contains("region seed 0 lies on segment 1"));
+  domain.regions = {{{1.0, 1.0}, 2}};
+  CHECK_THAT(error_of(domain), Contains("region seed 0 lies at a point"));
+}
+
+TEST_CASE("clean applied twice changes nothing more", "[mesher][domain]") {
+  Domain domain;
+  for (int i = 0; i < 9; ++i) domain.points.push_back({static_cast<double>(i % 3), static_cast<double>(i / 3)});
+  domain.points.push_back({1, 1});
+  domain.segments = {{0, 2, 1}, {2, 8, 2}, {8, 6, 3}, {6, 0, 4}, {1, 7, 5}, {7, 9, 6}, {5, 3, 7}};
+  const CleanDomain once = clean(domain);
+  const CleanDomain twice = clean(once.domain);
+  CHECK_FALSE(once.repairs.empty());
+  CHECK(twice.repairs.empty());
+  CHECK(twice.domain.points == once.domain.points);
+  CHECK(ends_of(twice.domain) == ends_of(once.domain));
+}

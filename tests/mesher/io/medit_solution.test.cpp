@@ -1,0 +1,85 @@
+#include <catch2/catch.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "mesher/errors.h"
+#include "mesher/io/medit.h"
+#include "tests/mesher/io/error_line.h"
+#include "tests/mesher/io/temporary_folder.h"
+
+using parmesan::FileError;
+using parmesan::Metric;
+using parmesan::parse_medit_metric;
+using parmesan::SymmetricTensor;
+using parmesan::support::error_line;
+using parmesan::support::TemporaryFolder;
+
+namespace {
+
+const std::string head = "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n";
+
+std::vector<Metric> parse(const std::string& text) { return parse_medit_metric(text, "t.sol"); }
+int line_of(const std::string& text) {
+  return error_line([&text] { parse_medit_metric(text, "t.sol", 2); });
+}
+
+}  // namespace
+
+TEST_CASE("Metrics come back from a .sol file bit by bit", "[mesher][io][medit]") {
+  const TemporaryFolder folder;
+  std::vector<Metric> metrics;
+  for (int i = 0; i < 50; ++i) metrics.push_back(Metric::from_sizes(1.0 / (1 + 7 * i), 0.3 + i, 0.37 * i));
+  parmesan::write_medit_metric(folder / "m.sol", metrics);
+  const std::vector<Metric> back = parmesan::read_medit_metric(folder / "m.sol", 50);
+  REQUIRE(back.size() == metrics.size());
+  for (std::size_t i = 0; i < back.size(); ++i) CHECK(back[i].tensor() == metrics[i].tensor());
+}
+
+TEST_CASE("Scalars come back from a .sol file bit by bit", "[mesher][io][medit]") {
+  const TemporaryFolder folder;
+  const std::vector<double> values{0.1, -1.0 / 3.0, 5e-324, 1e308, 0.0};
+  parmesan::write_medit_scalar(folder / "u.sol", values);
+  CHECK(parmesan::read_medit_scalar(folder / "u.sol") == values);
+  CHECK_THROWS_AS(parmesan::read_medit_scalar(folder / "u.sol", 4), FileError);
+  CHECK_THROWS_AS(parmesan::write_medit_scalar(folder / "v.sol", std::vector{std::numeric_limits<double>::infinity()}),
+                  FileError);
+  CHECK(folder.num_files() == 1);
+}
+
+TEST_CASE("A .sol file gives tensors in the order m11 m12 m22, or sizes", "[mesher][io][medit]") {
+  const std::vector<Metric> tensors = parse(head + "2\n1 3\n4 1 9\n1 0 1\nEnd\n");
+  REQUIRE(tensors.size() == 2);
+  CHECK(tensors[0].tensor() == SymmetricTensor{4.0, 1.0, 9.0});
+  CHECK(tensors[1].tensor() == SymmetricTensor{1.0, 0.0, 1.0});
+  // A size of 1/4 is met by 16 I.
+  const std::vector<Metric> sizes =
+      parse("MeshVersionFormatted\n2\n\nDimension 3\n\nSolAtVertices\n1\n1 1\n\n0.25\nEnd\n");
+  REQUIRE(sizes.size() == 1);
+  CHECK(sizes[0].tensor() == SymmetricTensor{16.0, 0.0, 16.0});
+}
+
+TEST_CASE("Every fault in a .sol file is refused with its line", "[mesher][io][medit][errors]") {
+  CHECK(line_of(head + "2\n1 3\n1 0 1\n1 2 1\nEnd\n") == 7);    // det < 0
+  CHECK(line_of(head + "2\n1 3\n1 0 1\n-1 0 -1\nEnd\n") == 7);  // negative definite
+  CHECK(line_of(head + "2\n1 3\n0 0 0\n1 0 1\nEnd\n") == 6);    // semidefinite
+  CHECK(line_of(head + "2\n1 1\n1\n0\nEnd\n") == 7);
+  CHECK(line_of(head + "2\n1 1\n1\n-2\nEnd\n") == 7);
+  CHECK(line_of(head + "2\n1 1\n1\nnan\nEnd\n") == 7);
+  CHECK(line_of(head + "3\n1 1\n1\n1\n1\nEnd\n") == 4);  // 2 were expected
+  CHECK(line_of(head + "2\n2 1 1\n1 1\n1 1\nEnd\n") == 5);
+  CHECK(line_of(head + "2\n1 2\n1 1\n1 1\nEnd\n") == 5);
+  CHECK(line_of(head + "2\n1 3\n1 0 1\n1 0 1\n1 0 1\nEnd\n") == 8);
+  CHECK(line_of("MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n2\n1 3\n1 0 1 0 0 1\n1 0 1 0 0 1\nEnd\n") == 5);
+  CHECK(line_of("MeshVersionFormatted 2\nDimension 2\nEnd\n") == 3);
+  CHECK(line_of("not this\n") == 1);
+}
+
+TEST_CASE("A .sol file that is cut off anywhere is refused", "[mesher][io][medit][errors]") {
+  const std::string text = head + "2\n1 3\n1.5 0 1\n10 0.25 1\nEnd";
+  REQUIRE(parse(text).size() == 2);
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    CAPTURE(length);
+    CHECK_THROWS_AS(parse(text.substr(0, length)), FileError);
+  }
+}

@@ -1,0 +1,81 @@
+#include "mesher/particles/boundary.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "mesher/particles/metric_flips.h"
+#include "mesher/triangulation/check.h"
+#include "mesher/triangulation/triangulate.h"
+#include "tests/support/domains.h"
+
+using namespace parmesan;
+
+TEST_CASE("best_edge_count takes the count whose edges are nearest to 1 in ratio", "[mesher][particles]") {
+  for (double l = 0.05; l < 30.0; l *= 1.013) {
+    const auto badness = [l](int n) { return std::max(l / n, n / l); };
+    const int n = best_edge_count(l);
+    for (int other = 1; other < 40; ++other) CHECK(badness(n) <= badness(other) * (1.0 + 1e-12));
+  }
+}
+
+TEST_CASE("SegmentMeasure integrates the metric along a segment", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  // size 0.01 e^{3x}: s(t) = (1 - e^{-3t}) / 0.03 along the bottom.
+  const CallableField field([](const Point& p) { return Metric::isotropic(0.01 * std::exp(3.0 * p.x)); });
+  const ParticleSystem particles(triangulate(domain), domain, field);
+  const SegmentMeasure measure(particles, domain.segments[0]);
+  const auto exact = [](double t) { return (1.0 - std::exp(-3.0 * t)) / 0.03; };
+  CHECK(measure.total() == Approx(exact(1.0)).epsilon(1e-4));
+  for (const double t : {0.0, 0.01, 0.3, 0.77, 1.0}) {
+    CHECK(measure.coordinate_at(t) == Approx(exact(t)).epsilon(1e-3).margin(1e-12));
+    CHECK(measure.parameter_at(measure.coordinate_at(t)) == Approx(t).margin(1e-12));
+  }
+}
+
+TEST_CASE("SegmentMeasure sees a layer much thinner than the segment", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  // density 1 + 2000 / (1 + ((x - c) / w)^2): integral close to 1 + 2000 w pi for w << 1.
+  const double c = 0.37;
+  const double w = 2e-3;
+  const CallableField field([=](const Point& p) {
+    const double z = (p.x - c) / w;
+    return Metric::isotropic(1.0 / (1.0 + 2000.0 / (1.0 + z * z)));
+  });
+  const ParticleSystem particles(triangulate(domain), domain, field);
+  const double arms = std::atan((1.0 - c) / w) + std::atan(c / w);
+  CHECK(SegmentMeasure(particles, domain.segments[0]).total() == Approx(1.0 + 2000.0 * w * arms).epsilon(0.01));
+}
+
+TEST_CASE("match_counts gives every segment its count, targets are equidistant in the metric", "[mesher][particles]") {
+  const Domain domain = support::square_with_everything();
+  const CallableField field([](const Point& p) { return Metric::isotropic(0.02 + 0.1 * p.x); });
+  ParticleSystem particles(triangulate(domain), domain, field);
+  const Boundary boundary(particles);
+  boundary.match_counts(particles);
+  CHECK(check(particles.mesh()).empty());
+
+  const std::vector<double> targets = boundary.targets(particles);
+  std::vector<int> bound(domain.segments.size(), 0);
+  for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
+    if (particles.binding(v) < 0) continue;
+    ++bound[static_cast<std::size_t>(particles.binding(v))];
+    CHECK(targets[static_cast<std::size_t>(v)] > 0.0);
+    CHECK(targets[static_cast<std::size_t>(v)] < 1.0);
+  }
+  for (std::size_t s = 0; s < domain.segments.size(); ++s)
+    CHECK(bound[s] == best_edge_count(SegmentMeasure(particles, domain.segments[s]).total()) - 1);
+
+  SECTION("a coarser level takes the superfluous ones away again") {
+    particles.set_level({1.0 / 64.0, false});
+    const Boundary coarser(particles);
+    for (int pass = 0; pass < 8; ++pass) {
+      coarser.match_counts(particles);
+      flip_all(particles);
+    }
+    CHECK(check(particles.mesh()).empty());
+    int left = 0;
+    for (VertexId v = 0; v < particles.mesh().num_slots(); ++v)
+      if (particles.mesh().has_vertex(v) && particles.binding(v) >= 0) ++left;
+    CHECK(left <= 12);
+  }
+}

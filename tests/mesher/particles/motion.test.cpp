@@ -1,0 +1,92 @@
+#include "mesher/particles/motion.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "mesher/triangulation/check.h"
+#include "mesher/triangulation/conversion.h"
+#include "tests/support/domains.h"
+#include "tests/support/meshes.h"
+
+using namespace parmesan;
+
+namespace {
+
+// A square of n x n cells with moved inner vertices, as particles.
+struct Square {
+  Square(int n, double disorder, const Metric& metric) : domain(support::unit_square()), field(metric) {
+    const Mesh mesh = support::random_square(n, disorder, 3);
+    std::vector<int> segments;
+    for (const int label : mesh.labels) segments.push_back(label - 1);
+    triangulation = from_mesh(mesh, segments);
+  }
+  ParticleSystem particles() const { return ParticleSystem(triangulation, domain, field); }
+
+  Domain domain;
+  ConstantField field;
+  Triangulation triangulation;
+};
+
+double worst_star(const ParticleSystem& particles) {
+  Star star;
+  double worst = 1.0;
+  for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
+    star.gather(particles, v);
+    worst = std::min(worst, star.min_quality(particles.mesh().point(v), particles.metric(v)));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("sweeps never invert a triangle, whatever the metric", "[mesher][particles]") {
+  const Metric metric = GENERATE(Metric::isotropic(0.05), Metric::isotropic(0.5), Metric::from_sizes(0.01, 0.3, 0.5));
+  const Motion motion = GENERATE(Motion::Force, Motion::IdealApex);
+  const Square square(20, 0.24, metric);
+  ParticleSystem particles = square.particles();
+  const std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
+                                    std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < 10; ++i) {
+    sweep(particles, motion, targets);
+    CHECK(check(particles.mesh()).empty());
+  }
+}
+
+TEST_CASE("ideal-apex sweeps lift the worst star of a disordered mesh", "[mesher][particles]") {
+  const Square square(20, 0.24, Metric::isotropic(0.05));
+  ParticleSystem particles = square.particles();
+  const double before = worst_star(particles);
+  const std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
+                                    std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < 5; ++i) sweep(particles, Motion::IdealApex, targets);
+  CHECK(worst_star(particles) > before);
+}
+
+TEST_CASE("fixed particles stay, bound ones go to their target and no further", "[mesher][particles]") {
+  const Square square(4, 0.0, Metric::isotropic(0.25));
+  ParticleSystem particles = square.particles();
+  std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
+                              std::numeric_limits<double>::quiet_NaN());
+  // Vertex 1 lies at (0.25, 0) on the bottom segment, which runs from x = 0 to x = 1.
+  targets[1] = 0.3;
+  sweep(particles, Motion::Force, targets);
+  CHECK(particles.mesh().point(1) == Point{0.3, 0.0});
+  CHECK(particles.mesh().point(2) == Point{0.5, 0.0});
+  CHECK(particles.mesh().point(0) == Point{0.0, 0.0});
+}
+
+TEST_CASE("try_move halves a step that would turn a triangle over, and gives up on hopeless ones",
+          "[mesher][particles]") {
+  const Square square(4, 0.0, Metric::isotropic(0.25));
+  ParticleSystem particles = square.particles();
+  const VertexId centre = 2 * 5 + 2;
+  Star star;
+  star.gather(particles, centre);
+  // The star is one cell wide: 0.4 to the right is outside, 0.2 and 0.1 inside.
+  CHECK(try_move(particles, star, centre, {0.4, 0.0}));
+  CHECK(particles.mesh().point(centre).x < 0.75);
+  CHECK(particles.mesh().point(centre).x > 0.5);
+  star.gather(particles, centre);
+  CHECK_FALSE(try_move(particles, star, centre, {100.0, 0.0}));
+}

@@ -1,0 +1,80 @@
+#include "mesher/particles/population.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "mesher/errors.h"
+#include "mesher/particles/metric_flips.h"
+#include "mesher/triangulation/check.h"
+#include "mesher/triangulation/conversion.h"
+#include "tests/support/domains.h"
+#include "tests/support/meshes.h"
+
+using namespace parmesan;
+
+namespace {
+
+ParticleSystem grid_particles(int n, const Domain& domain, const MetricField& field) {
+  const Mesh mesh = support::rectangle_mesh(n, n);
+  std::vector<int> segments;
+  for (const int label : mesh.labels) segments.push_back(label - 1);
+  return ParticleSystem(from_mesh(mesh, segments), domain, field);
+}
+
+// Sum of the metric areas of all triangles over that of a unit triangle.
+double unit_triangles(double h) { return 1.0 / (std::sqrt(3.0) / 4.0 * h * h); }
+
+}  // namespace
+
+TEST_CASE("creation and annihilation lead to the density of the metric from either side", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  const double h = 0.05;
+  const ConstantField field(Metric::isotropic(h));
+  const int n = GENERATE(12, 45);  // too coarse, too fine
+  ParticleSystem particles = grid_particles(n, domain, field);
+  for (int pass = 0; pass < 20; ++pass) {
+    create_particles(particles, 100000);
+    annihilate_particles(particles);
+    flip_all(particles);
+  }
+  CHECK(check(particles.mesh()).empty());
+  // Interior rules only; the boundary keeps its 4 n edges.
+  int triangles = 0;
+  for (std::int32_t q = 0; q < particles.mesh().size(); ++q) {
+    if (!particles.mesh().is_alive(q)) continue;
+    triangles += particles.mesh().is_inside_left({4 * q}) + particles.mesh().is_inside_right({4 * q});
+  }
+  CHECK(triangles / 3 > 0.7 * unit_triangles(h));
+  CHECK(triangles / 3 < 1.4 * unit_triangles(h));
+}
+
+TEST_CASE("the limit on vertices is kept", "[mesher][particles][errors]") {
+  const Domain domain = support::unit_square();
+  const ConstantField field(Metric::isotropic(0.01));
+  ParticleSystem particles = grid_particles(10, domain, field);
+  CHECK_THROWS_AS(create_particles(particles, 150), LimitError);
+  CHECK(particles.mesh().num_vertices() <= 150);
+  CHECK(check(particles.mesh()).empty());
+}
+
+TEST_CASE("collapse_if_valid never moves a corner nor leaves a segment", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  const ConstantField field(Metric::isotropic(0.5));
+  ParticleSystem particles = grid_particles(6, domain, field);
+  for (int pass = 0; pass < 4; ++pass) {
+    for (std::int32_t q = 0; q < particles.mesh().size(); ++q)
+      if (particles.mesh().is_alive(q)) collapse_if_valid(particles, {4 * q});
+    CHECK(check(particles.mesh()).empty());
+  }
+  for (const Point& corner : domain.points) {
+    int found = 0;
+    for (VertexId v = 0; v < particles.mesh().num_slots(); ++v)
+      if (particles.mesh().has_vertex(v) && particles.mesh().point(v) == corner) ++found;
+    CHECK(found == 1);
+  }
+  for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
+    if (!particles.mesh().has_vertex(v) || particles.is_free(v)) continue;
+    const Point& p = particles.mesh().point(v);
+    CHECK((p.x == 0.0 || p.x == 1.0 || p.y == 0.0 || p.y == 1.0));
+  }
+}

@@ -1,0 +1,36 @@
+#include "mesher/triangulation/refine.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/oracle/mesh_checker.h"
+#include "tests/support/meshes.h"
+
+using namespace parmesan;
+
+TEST_CASE("red refinement gives four triangles for one, two edges for one, the same area", "[mesher][triangulation]") {
+  const Mesh coarse = support::random_square(6, 0.2, 1);
+  const Mesh fine = refine_red(coarse);
+  CHECK(oracle::problems_of(fine).empty());
+  CHECK(fine.num_triangles() == 4 * coarse.num_triangles());
+  CHECK(fine.num_edges() == 2 * coarse.num_edges());
+  // Euler: V + (edges) = new vertices, one per edge of the coarse mesh.
+  const int edges = (3 * coarse.num_triangles() + coarse.num_edges()) / 2;
+  CHECK(fine.num_vertices() == coarse.num_vertices() + edges);
+  CHECK(oracle::area_of(fine) == Approx(oracle::area_of(coarse)).epsilon(1e-14));
+  for (int v = 0; v < coarse.num_vertices(); ++v)
+    CHECK(fine.points[static_cast<std::size_t>(v)] == coarse.points[static_cast<std::size_t>(v)]);
+}
+
+TEST_CASE("labels, interior constraints and regions are inherited", "[mesher][triangulation]") {
+  Mesh coarse = support::rectangle_mesh(2, 1);
+  coarse.edges.push_back({1, 4});  // the line x = 1/2
+  coarse.labels.push_back(9);
+  coarse.regions = {1, 1, 2, 2};
+  const Mesh fine = refine_red(coarse);
+  CHECK(std::count(fine.labels.begin(), fine.labels.end(), 9) == 2);
+  for (std::size_t t = 0; t < fine.triangles.size(); ++t) {
+    double x = 0.0;
+    for (const int v : fine.triangles[t]) x += fine.points[static_cast<std::size_t>(v)].x / 3.0;
+    CHECK(fine.regions[t] == (x < 0.5 ? 1 : 2));
+  }
+}

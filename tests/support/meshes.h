@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <utility>
+
+#include "mesher/mesh.h"
+
+namespace parmesan::support {
+
+/// Labels of the sides of the rectangles made here.
+enum SideLabel { Bottom = 1, Right = 2, Top = 3, Left = 4 };
+
+/// nx by ny cells on [x0, x1] x [y0, y1], two triangles each.
+///
+///       Top 3
+///     +-------+      vertex (i, j) has index j (nx + 1) + i;
+///     | / | / |      diagonals alternate when `alternate` is set.
+///     +-------+
+///      Bottom 1
+inline Mesh rectangle_mesh(int nx, int ny, const Point& min = {0, 0}, const Point& max = {1, 1},
+                           bool alternate = false) {
+  Mesh mesh;
+  mesh.label_names = {{Bottom, "bottom"}, {Right, "right"}, {Top, "top"}, {Left, "left"}};
+  const auto id = [nx](int i, int j) { return j * (nx + 1) + i; };
+  for (int j = 0; j <= ny; ++j) {
+    for (int i = 0; i <= nx; ++i) {
+      mesh.points.push_back({min.x + (max.x - min.x) * i / nx, min.y + (max.y - min.y) * j / ny});
+    }
+  }
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      const int a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
+      if (alternate && (i + j) % 2 == 1) {
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
+      } else {
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+      }
+    }
+  }
+  mesh.regions.assign(mesh.triangles.size(), 0);
+  const auto add = [&mesh](int from, int to, int label) {
+    mesh.edges.push_back({from, to});
+    mesh.labels.push_back(label);
+  };
+  for (int i = 0; i < nx; ++i) add(id(i, 0), id(i + 1, 0), Bottom);
+  for (int j = 0; j < ny; ++j) add(id(nx, j), id(nx, j + 1), Right);
+  for (int i = nx; i > 0; --i) add(id(i, ny), id(i - 1, ny), Top);
+  for (int j = ny; j > 0; --j) add(id(0, j), id(0, j - 1), Left);
+  return mesh;
+}
+
+/// The mesh with its points mapped; the map must keep triangles counter-clockwise.
+inline Mesh mapped(Mesh mesh, const std::function<Point(const Point&)>& map) {
+  for (Point& p : mesh.points) p = map(p);
+  return mesh;
+}
+
+/// A rectangle mesh of the unit square bent smoothly, so that convergence orders are kept.
+inline Mesh bent_square(int n) {
+  return mapped(rectangle_mesh(n, n, {0, 0}, {1, 1}, true), [](const Point& p) {
+    const double s = 0.06 * std::sin(2 * M_PI * p.x) * std::sin(2 * M_PI * p.y);
+    return Point{p.x + s, p.y - 0.8 * s};
+  });
+}
+
+/// A rectangle mesh of the unit square with its inner vertices moved at random by up to `amount`
+/// of a cell; amounts up to 0.24 keep all triangles positive.
+inline Mesh random_square(int n, double amount, unsigned seed) {
+  Mesh mesh = rectangle_mesh(n, n, {0, 0}, {1, 1}, true);
+  std::mt19937 engine(seed);
+  const auto draw = [&engine] { return 2.0 * static_cast<double>(engine()) / 4294967295.0 - 1.0; };
+  for (Point& p : mesh.points) {
+    const bool inside = p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1;
+    const double dx = draw(), dy = draw();
+    if (inside) p = {p.x + amount / n * dx, p.y + amount / n * dy};
+  }
+  return mesh;
+}
+
+/// Two meshes as one, not connected; the labels of the second are shifted.
+inline Mesh joined(const Mesh& a, const Mesh& b, int label_shift) {
+  Mesh mesh = a;
+  const int n = a.num_vertices();
+  mesh.points.insert(mesh.points.end(), b.points.begin(), b.points.end());
+  for (const auto& t : b.triangles) mesh.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  mesh.regions.insert(mesh.regions.end(), b.regions.begin(), b.regions.end());
+  for (const auto& e : b.edges) mesh.edges.push_back({e[0] + n, e[1] + n});
+  for (const int label : b.labels) mesh.labels.push_back(label + label_shift);
+  return mesh;
+}
+
+}  // namespace parmesan::support

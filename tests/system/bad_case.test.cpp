@@ -1,0 +1,117 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "tests/system/program.h"
+
+using parmesan::support::ProgramResult;
+using parmesan::support::run_program;
+using parmesan::support::TemporaryFolder;
+
+namespace {
+
+struct BadCase {
+  std::string claim;
+  std::string json;
+  int exit_code;
+  std::vector<std::string> message;  // parts that the message must have
+  std::vector<std::string> options = {};
+};
+
+const std::string square = R"("geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}})";
+
+// A Poisson problem with a given boundary entry, small enough to be run.
+std::string poisson(const std::string& boundary, const std::string& source = "1") {
+  return R"({"name": "bad", )" + square + R"(, "problem": {"source": )" + source + R"(, "boundary": {)" + boundary +
+         R"(}}, "targets": {"vertices": 200, "max_iterations": 2}})";
+}
+
+const std::string fixed = R"("*": {"dirichlet": 0})";
+
+std::string bow_tie() {
+  return R"({"name": "bad", "geometry": {"polygon": [[0, 0], [1, 1], [1, 0], [0, 1]]},
+             "problem": {"boundary": {"*": {"dirichlet": 0}}}, "targets": {"vertices": 200, "max_iterations": 2}})";
+}
+
+std::vector<BadCase> bad_cases() {
+  return {
+      {"not JSON", "{\"name\": \"bad\",\n  geometry}", 3, {"bad.json:2"}},
+      {"unknown key", R"({"name": "bad", "geometri": {}, )" + square + "}", 3, {"/geometri", "geometry"}},
+      {"key given twice", R"({"name": "bad", "name": "worse", )" + square + "}", 3, {"name"}},
+      {"wrong type", R"({"name": 7, )" + square + R"(, "problem": {"interpolate": "x"}})", 3, {"/name", "text"}},
+      {"unknown boundary label", poisson(fixed + R"(, "lefft": {"dirichlet": 1})"), 3, {"lefft", "left"}},
+      {"boundary part without a condition", poisson(R"("left": {"dirichlet": 1})"), 3, {"right"}},
+      {"syntax error in an expression", poisson(R"("*": {"dirichlet": "sin(x"})"), 3, {"/problem/boundary"}},
+      {"unknown name in an expression", poisson(R"("*": {"dirichlet": "alhpa*x"})"), 3, {"alhpa"}},
+      {"source that is not finite", poisson(fixed, R"json("log(x - 5)")json"), 3, {}},
+      {"boundary value that is not finite", poisson(R"json("*": {"dirichlet": "sqrt(x - 5)"})json"), 3, {}},
+      {"interpolated function that is not finite",
+       R"({"name": "bad", )" + square + R"json(, "problem": {"interpolate": "sqrt(x - 5)"},
+           "targets": {"vertices": 200, "max_iterations": 2}})json",
+       3,
+       {}},
+      {"pure Neumann data that do not balance", poisson(R"("*": {"neumann": 0})"), 3, {}},
+      {"crossing segments", bow_tie(), 4, {"0.5"}},
+      {"aim beyond the safety limit", poisson(fixed), 8, {"vertices"}, {"--limit", "vertices=50"}},
+  };
+}
+
+bool looks_complete(const std::string& folder) {
+  if (!std::filesystem::exists(folder)) return false;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("mesh.") || name == "summary.json" || name == "run.pvd") return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a case that cannot be run is refused with its exit code and place, and leaves no result",
+          "[system][errors]") {
+  const BadCase bad = GENERATE(from_range(bad_cases()));
+  INFO(bad.claim);
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"run", folder.write("bad.json", bad.json), "--out", folder / "out"};
+  arguments.insert(arguments.end(), bad.options.begin(), bad.options.end());
+  const ProgramResult result = run_program(arguments, folder.path());
+  INFO(result.err);
+  CHECK(result.exit_code == bad.exit_code);
+  CHECK_THAT(result.err, Catch::Contains("parmesan: error: "));
+  for (const std::string& part : bad.message) CHECK_THAT(result.err, Catch::Contains(part));
+  CHECK(result.out.empty());
+  CHECK_FALSE(looks_complete(folder / "out"));
+}
+
+TEST_CASE("check reports each file and ends with the code of the first that is wrong", "[system][errors]") {
+  const TemporaryFolder folder;
+  const std::string good = folder.write("good.json", poisson(fixed));
+  const std::string wrong = folder.write("wrong.json", bow_tie());
+  const ProgramResult result = run_program({"check", good, wrong, folder / "absent.json"});
+  CHECK(result.exit_code == 4);
+  CHECK_THAT(result.out, Catch::Contains("good.json: valid"));
+  CHECK_THAT(result.err, Catch::Contains("absent.json"));
+}
+
+TEST_CASE("files that cannot be read or written end with 7", "[system][errors]") {
+  const TemporaryFolder folder;
+  SECTION("the case does not exist") {
+    const ProgramResult result = run_program({"run", folder / "absent.json"}, folder.path());
+    CHECK(result.exit_code == 7);
+    CHECK_THAT(result.err, Catch::Contains("absent.json"));
+  }
+  SECTION("the case is a folder") { CHECK(run_program({"check", folder.path()}).exit_code == 7); }
+  SECTION("the output folder would lie inside a file") {
+    const std::string file = folder.write("file", "untouched");
+    const ProgramResult result = run_program({"run", folder.write("a.json", poisson(fixed)), "--out", file + "/out"});
+    CHECK(result.exit_code == 7);
+    CHECK(parmesan::support::read_file(file) == "untouched");
+  }
+  SECTION("the output folder holds an earlier run") {
+    const std::string input = folder.write("a.json", poisson(fixed));
+    REQUIRE(run_program({"run", input, "--out", folder / "out"}).exit_code == 0);
+    const std::string before = parmesan::support::read_file(folder / "out/summary.json");
+    CHECK(run_program({"run", input, "--out", folder / "out"}).exit_code == 7);
+    CHECK(parmesan::support::read_file(folder / "out/summary.json") == before);
+    CHECK(run_program({"run", input, "--out", folder / "out", "--overwrite"}).exit_code == 0);
+  }
+}

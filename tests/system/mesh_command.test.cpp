@@ -1,0 +1,128 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/system/program.h"
+
+using parmesan::support::ProgramResult;
+using parmesan::support::read_file;
+using parmesan::support::run_program;
+using parmesan::support::TemporaryFolder;
+
+namespace {
+
+const std::string square_poly = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n";
+const std::string bow_tie_poly = "4 2 0 0\n1 0 0\n2 1 1\n3 1 0\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n";
+
+// A unit square of two triangles whose metric asks for the size 0.1 along x and 0.02 along y.
+const std::string background =
+    "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+    "Edges 4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\nTriangles 2\n1 2 3 0\n1 3 4 0\nEnd\n";
+const std::string layer_metric =
+    "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 4\n1 3\n"
+    "100 0 2500\n100 0 2500\n100 0 2500\n100 0 2500\nEnd\n";
+
+nlohmann::json quality_of(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{"quality", "--json"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return nlohmann::json::parse(run_program(words).out);
+}
+
+}  // namespace
+
+TEST_CASE("mesh writes a uniform mesh in several formats", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("square.poly", square_poly);
+  const ProgramResult result =
+      run_program({"mesh", input, "--size", "0.1", "-o", folder / "a.mesh", "-o", folder / "a.vtu", "-o",
+                   folder / "a.svg", "--require", "unit=0.9,quality=0.5"});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  for (const char* name : {"a.mesh", "a.vtu", "a.svg"}) CHECK_FALSE(read_file(folder / name).empty());
+  const nlohmann::json quality = quality_of({folder / "a.mesh"});
+  // 2 / (sqrt3 h^2) = 115 triangles' pairs inside, and half of the boundary's 40 vertices more.
+  CHECK(quality.at("vertices").get<int>() == Approx(135).epsilon(0.15));
+  CHECK_THAT(result.out, Catch::Contains(std::to_string(quality.at("vertices").get<int>()) + " vertices"));
+  CHECK(quality.at("angle").at("min").get<double>() > 30.0);
+}
+
+TEST_CASE("mesh follows a background metric, and can start from an earlier mesh", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("square.poly", square_poly);
+  const std::string mesh = folder.write("bg.mesh", background);
+  const std::string metric = folder.write("bg.sol", layer_metric);
+  const std::vector<std::string> arguments{"mesh", input,      "--background", mesh,        "--metric",
+                                           metric, "--preset", "mid",          "--require", "unit=0.9"};
+  std::vector<std::string> first = arguments;
+  first.insert(first.end(), {"-o", folder / "a.mesh"});
+  REQUIRE(run_program(first).exit_code == 0);
+  std::vector<std::string> second = arguments;
+  second.insert(second.end(), {"-o", folder / "b.mesh", "--from", folder / "a.mesh"});
+  REQUIRE(run_program(second).exit_code == 0);
+  // The complexity is sqrt(100 * 2500) = 500; a unit mesh has 2 / sqrt3 vertices per unit of it.
+  CHECK(quality_of({folder / "a.mesh"}).at("vertices").get<int>() == Approx(577 + 60).epsilon(0.12));
+  CHECK(quality_of({folder / "b.mesh"}).at("vertices").get<int>() == Approx(577 + 60).epsilon(0.12));
+}
+
+TEST_CASE("quality reads its metric at the vertices of the mesh", "[system][quality]") {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.write("bg.mesh", background);
+  const nlohmann::json quality = quality_of({mesh, "--metric", folder.write("bg.sol", layer_metric)});
+  CHECK(quality.at("edge_length").at("min").get<double>() == Approx(10.0).epsilon(1e-12));
+  CHECK(quality.at("edge_length").at("max").get<double>() == Approx(std::sqrt(2600.0)).epsilon(1e-12));
+  CHECK(quality.at("complexity").get<double>() == Approx(500.0).epsilon(1e-12));
+  long edges = 0;
+  for (const auto& count : quality.at("histograms").at("edge_length").at("counts")) edges += count.get<long>();
+  CHECK(edges == 5);
+  const ProgramResult text = run_program({"quality", mesh});
+  CHECK(text.exit_code == 0);
+  CHECK_THAT(text.out, Catch::Contains("45 to 90 degrees"));
+}
+
+TEST_CASE("mesh refuses what it cannot do with the exit code of the reason", "[system][mesh][errors]") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", square_poly);
+  const auto exit_code = [&folder](const std::string& input, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"mesh", input, "-o", folder / "out.mesh"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramResult result = run_program(arguments);
+    INFO(result.err);
+    CHECK_THAT(result.err, Catch::Contains("parmesan: error: "));
+    return result.exit_code;
+  };
+  SECTION("crossing segments") { CHECK(exit_code(folder.write("bow.poly", bow_tie_poly), {"--size", "0.1"}) == 4); }
+  SECTION("missing geometry") { CHECK(exit_code(folder / "absent.poly", {"--size", "0.1"}) == 7); }
+  SECTION("truncated geometry") {
+    CHECK(exit_code(folder.write("short.poly", square_poly.substr(0, 20)), {"--size", "0.1"}) == 7);
+  }
+  SECTION("1e18 vertices") { CHECK(exit_code(square, {"--size", "1e-9"}) == 8); }
+  SECTION("more vertices than the limit") {
+    CHECK(exit_code(square, {"--size", "0.01", "--limit", "vertices=500"}) == 8);
+  }
+  SECTION("metric of another mesh") {
+    const std::string mesh = folder.write("bg.mesh", background);
+    const std::string metric =
+        folder.write("bg.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 1\n1 3\n1 0 1\nEnd\n");
+    const int code = exit_code(square, {"--background", mesh, "--metric", metric});
+    CHECK((code == 3 || code == 7));
+  }
+  SECTION("output inside a file") {
+    CHECK(exit_code(square, {"--size", "0.3", "-o", folder.write("file", "") + "/x.mesh"}) == 7);
+  }
+  SECTION("unknown format") {
+    const int code = exit_code(square, {"--size", "0.3", "-o", folder / "x.unknown"});
+    CHECK((code == 2 || code == 7));
+    CHECK_FALSE(std::filesystem::exists(folder / "out.mesh"));
+  }
+  if (!std::filesystem::exists(folder / "file")) CHECK_FALSE(std::filesystem::exists(folder / "out.mesh"));
+}
+
+TEST_CASE("a requirement that is missed ends with 9 and keeps the mesh", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", square_poly);
+  const ProgramResult result =
+      run_program({"mesh", square, "--size", "0.3", "-o", folder / "out.mesh", "--require", "quality=1"});
+  CHECK(result.exit_code == 9);
+  CHECK_THAT(result.err, Catch::Contains("quality"));
+  CHECK(std::filesystem::exists(folder / "out.mesh"));
+}

@@ -1,0 +1,83 @@
+#include "tests/system/program.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace parmesan::support {
+namespace {
+
+int open_for_output(const std::string& path) { return open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600); }
+
+// In the child: never returns.
+[[noreturn]] void become_program(std::vector<char*>& arguments, const std::string& folder, int out, int err) {
+  const int nothing = open("/dev/null", O_RDONLY);
+  if (chdir(folder.c_str()) == 0 && dup2(nothing, 0) == 0 && dup2(out, 1) == 1 && dup2(err, 2) == 2) {
+    execv(arguments.front(), arguments.data());
+  }
+  _exit(126);
+}
+
+int wait_for(pid_t child) {
+  int status = 0;
+  if (waitpid(child, &status, 0) != child) throw std::runtime_error("waitpid failed");
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& folder,
+                          const Interruption& interruption) {
+  const TemporaryFolder logs;
+  std::vector<std::string> words{PARMESAN_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const int out = open_for_output(logs / "out");
+  const int err = open_for_output(logs / "err");
+  const pid_t child = fork();
+  if (child == 0) become_program(pointers, folder, out, err);
+  close(out);
+  close(err);
+  if (child < 0) throw std::runtime_error("fork failed");
+  if (interruption.signal != 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(interruption.milliseconds));
+    kill(child, interruption.signal);
+  }
+  const int code = wait_for(child);
+  return {code, read_file(logs / "out"), read_file(logs / "err")};
+}
+
+TemporaryFolder::TemporaryFolder() {
+  path_ = (std::filesystem::temp_directory_path() / "parmesan-test-XXXXXX").string();
+  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string TemporaryFolder::write(const std::string& name, const std::string& content) const {
+  std::ofstream(*this / name, std::ios::binary) << content;
+  return *this / name;
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return content.str();
+}
+
+}  // namespace parmesan::support

@@ -1,0 +1,53 @@
+#include <catch2/catch.hpp>
+
+#include "tests/system/program.h"
+
+using parmesan::support::ProgramResult;
+using parmesan::support::run_program;
+
+TEST_CASE("help and version go to standard output and end with 0", "[system][usage]") {
+  const std::vector<std::string> arguments =
+      GENERATE(std::vector<std::string>{"--help"}, std::vector<std::string>{"--version"},
+               std::vector<std::string>{"run", "--help"}, std::vector<std::string>{"compare", "--help"},
+               std::vector<std::string>{"mesh", "--help"}, std::vector<std::string>{"quality", "--help"},
+               std::vector<std::string>{"check", "--help"}, std::vector<std::string>{"schema", "--help"});
+  const ProgramResult result = run_program(arguments);
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+  CHECK_THAT(result.out, Catch::Contains(arguments.front() == "--version" ? "compiler" : "--help"));
+}
+
+TEST_CASE("each subcommand's help shows an example", "[system][usage]") {
+  const std::string name = GENERATE("run", "compare", "mesh", "quality", "check", "schema");
+  CHECK_THAT(run_program({name, "--help"}).out, Catch::Contains("Example: parmesan " + name));
+}
+
+TEST_CASE("wrong usage ends with 2 and one message on standard error", "[system][usage][errors]") {
+  const std::vector<std::string> arguments =
+      GENERATE(std::vector<std::string>{}, std::vector<std::string>{"meshh"}, std::vector<std::string>{"run"},
+               std::vector<std::string>{"run", "a.json", "--no-such-option"},
+               std::vector<std::string>{"mesh", "a.poly"}, std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh"},
+               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "-1"},
+               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--background", "b.mesh"},
+               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--preset", "best"},
+               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--require", "beauty=1"},
+               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--limit", "vertices=many"},
+               std::vector<std::string>{"run", "a.json", "--set", "targets"},
+               std::vector<std::string>{"run", "a.json", "--threads", "0"},
+               std::vector<std::string>{"compare", "a.json", "--sizes", "10,x"});
+  const ProgramResult result = run_program(arguments);
+  CHECK(result.exit_code == 2);
+  CHECK(result.out.empty());
+  CHECK_THAT(result.err, Catch::StartsWith("parmesan: error: "));
+  CHECK_THAT(result.err, Catch::Contains("--help"));
+}
+
+TEST_CASE("control characters of names do not reach the terminal", "[system][usage][errors]") {
+  const ProgramResult result = run_program({"check",
+                                            "no\x1b[31msuch\x07"
+                                            "file.json"});
+  CHECK(result.exit_code == 7);
+  CHECK(result.err.find('\x1b') == std::string::npos);
+  CHECK(result.err.find('\x07') == std::string::npos);
+  CHECK_THAT(result.err, Catch::Contains("\\x1b"));
+}
