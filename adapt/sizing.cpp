@@ -37,7 +37,7 @@ bool settled(std::span<const SizeStep> history, bool last_rung) {
   const auto rung = history.subspan(rung_start(history));
   const auto passes = std::ranges::count_if(rung, &SizeStep::adapted);
   if (passes >= max_passes) return true;
-  if (passes == 0) return false;
+  if (passes == 0 || history.size() < 2) return false;
   const double gain = gain_of_last_pass(history);
   if (last_rung) return passes >= 3 && gain < settled_gain;
   if (rung_start(history) == 0) return passes >= 3 && gain < still_falling;

@@ -48,7 +48,7 @@ double observed_order(std::span<const SizeStep> history);
 ///   Of a prediction beyond 1.5 times the last size only 3/4 is asked for: a mesh that has not yet
 ///   found all of a layer improves faster than the observed order says.
 ///
-/// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (4 passes in which neither the error fell
+/// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (4 passes in which the error did not fall
 /// by 2 %), or Unchanged when nothing is aimed at and the first size has settled.
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal);
 

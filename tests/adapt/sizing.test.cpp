@@ -74,6 +74,12 @@ TEST_CASE("next_size corrects a near miss without further settling", "[adapt][si
   CHECK(d.asked < 4000.0 * 1.15);
 }
 
+TEST_CASE("next_size does not judge a first pass that has nothing before it", "[adapt][sizing]") {
+  const SizeDecision d = next_size(std::vector<SizeStep>{{400, 400, 3, true}}, to_size);
+  CHECK(d.asked == 400);
+  CHECK_FALSE(d.stop.has_value());
+}
+
 TEST_CASE("next_size climbs to the size aimed at and settles there", "[adapt][sizing]") {
   std::vector<SizeStep> history{{400, 400, 9, false}, {400, 400, 1}, {400, 400, 1}, {400, 400, 1}};
   CHECK(next_size(history, to_size).asked == 1600);

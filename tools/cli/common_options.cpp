@@ -42,7 +42,7 @@ void set_limit(Limits& limits, const std::string& text) {
 
 // Beyond the limit operator new throws std::bad_alloc, which ends the program in an orderly way.
 void limit_memory([[maybe_unused]] std::int64_t megabytes) {
-#ifndef __SANITIZE_ADDRESS__  // whose shadow memory counts
+#ifndef PARMESAN_SANITIZE  // the shadow memory of AddressSanitizer counts
   const auto pages = static_cast<rlim_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
   const rlim_t machine = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) / 10 * 9;
   rlimit limit{};
