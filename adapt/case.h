@@ -58,7 +58,7 @@ struct Case {
   Problem problem;                  // empty when interpolation
   MetricOptions metric;
   Targets targets;
-  GenerateOptions mesher{.preset = Preset::Good};  // a loop gains from settled meshes
+  GenerateOptions mesher;
   std::int64_t initial_vertices = 400;             // size of the uniform start mesh ("initial": {"vertices": ...})
   OutputOptions output;
   std::vector<Expectation> expect;

@@ -45,7 +45,12 @@ Mesh mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& 
                     const FastScheduleOptions& effort) {
   const int levels = std::max(
       0, static_cast<int>(std::lround(std::log(expected_vertices(complexity) / coarsest_vertices) / std::log(4.0))));
-  const FastScheduleOptions coarse_effort{2, 2, 0, 0, effort.max_vertices};
+  const FastScheduleOptions coarse_effort{.rounds = 2,
+                                          .sweeps_per_round = 2,
+                                          .final_force_sweeps = 0,
+                                          .final_apex_sweeps = 0,
+                                          .repairs = 0,
+                                          .max_vertices = effort.max_vertices};
   Mesh mesh = outline;
   for (int level = levels; level >= 0; --level) {
     ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);

@@ -15,7 +15,7 @@ enum class Preset { Fast, Mid, Good };
 
 /// How generate works. Every field has a default that suits most meshes.
 struct GenerateOptions {
-  Preset preset = Preset::Mid;
+  Preset preset = Preset::Good;
   std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
   std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
 };

@@ -9,25 +9,29 @@
 namespace parmesan {
 
 BackgroundMesh::BackgroundMesh(const Mesh& mesh, std::span<const Metric> metrics, MetricInterpolation interpolation)
-    : points_(mesh.points), triangles_(mesh.triangles), interpolation_(interpolation) {
-  if (metrics.size() != points_.size()) {
-    throw InputError("the background mesh has " + std::to_string(points_.size()) + " vertices but " +
+    : interpolation_(interpolation) {
+  if (metrics.size() != mesh.points.size()) {
+    throw InputError("the background mesh has " + std::to_string(mesh.points.size()) + " vertices but " +
                      std::to_string(metrics.size()) + " metrics were given");
   }
-  if (triangles_.empty()) throw InputError("the background mesh has no triangles");
-  neighbors_ = triangle_neighbors(mesh);
-  values_.reserve(metrics.size());
-  for (const Metric& m : metrics)
-    values_.push_back(interpolation_ == MetricInterpolation::LogEuclidean ? m.log() : m.tensor());
+  if (mesh.triangles.empty()) throw InputError("the background mesh has no triangles");
+  vertices_.reserve(metrics.size());
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    const bool logarithms = interpolation_ == MetricInterpolation::LogEuclidean;
+    vertices_.push_back({mesh.points[i], logarithms ? metrics[i].log() : metrics[i].tensor()});
+  }
+  const auto neighbors = triangle_neighbors(mesh);
+  triangles_.reserve(neighbors.size());
+  for (std::size_t t = 0; t < neighbors.size(); ++t) triangles_.push_back({mesh.triangles[t], neighbors[t]});
 }
 
 Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const {
   Location where = locate(p, hint >= 0 && hint < static_cast<int>(triangles_.size()) ? hint : 0);
   if (where.triangle < 0) where = locate_exhaustively(p);
   hint = where.triangle;
-  const auto& corners = triangles_[static_cast<std::size_t>(where.triangle)];
+  const auto& corners = triangles_[static_cast<std::size_t>(where.triangle)].corners;
   SymmetricTensor value{};
-  for (std::size_t k = 0; k < 3; ++k) value = value + where.weights[k] * values_[static_cast<std::size_t>(corners[k])];
+  for (std::size_t k = 0; k < 3; ++k) value = value + where.weights[k] * vertex(corners[k]).value;
   return interpolation_ == MetricInterpolation::LogEuclidean ? Metric::from_log(value) : Metric::from_tensor(value);
 }
 
@@ -53,21 +57,20 @@ BackgroundMesh::Location BackgroundMesh::locate(const Point& p, int start) const
   constexpr double slack = 1e-3;  // how far outside of a boundary edge p may lie, in barycentric coordinates
   int triangle = start;
   for (int step = 0; step < max_steps; ++step) {
-    const auto t = static_cast<std::size_t>(triangle);
-    const auto& [i, j, k] = triangles_[t];
-    const Point& a = points_[static_cast<std::size_t>(i)];
-    const Point& b = points_[static_cast<std::size_t>(j)];
-    const Point& c = points_[static_cast<std::size_t>(k)];
+    const auto& [corners, neighbors] = triangles_[static_cast<std::size_t>(triangle)];
+    const Point& a = vertex(corners[0]).point;
+    const Point& b = vertex(corners[1]).point;
+    const Point& c = vertex(corners[2]).point;
     const double area = doubled_area(a, b, c);
     const std::array<double, 3> w{doubled_area(p, b, c), doubled_area(a, p, c), doubled_area(a, b, p)};
     const double tolerance = 1e-12 * area;
     std::size_t out = 3;
     for (std::size_t e = 0; e < 3; ++e) {
-      if (w[e] >= -tolerance || neighbors_[t][e] < 0) continue;
+      if (w[e] >= -tolerance || neighbors[e] < 0) continue;
       if (out == 3 || w[e] < w[out]) out = e;
     }
     if (out < 3) {
-      triangle = neighbors_[t][out];
+      triangle = neighbors[out];
       continue;
     }
     const std::array<double, 3> weights{w[0] / area, w[1] / area, w[2] / area};
@@ -82,9 +85,9 @@ BackgroundMesh::Location BackgroundMesh::locate_exhaustively(const Point& p) con
   Location best;
   double best_distance = 0.0;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const Point& a = points_[static_cast<std::size_t>(triangles_[t][0])];
-    const Point& b = points_[static_cast<std::size_t>(triangles_[t][1])];
-    const Point& c = points_[static_cast<std::size_t>(triangles_[t][2])];
+    const Point& a = vertex(triangles_[t].corners[0]).point;
+    const Point& b = vertex(triangles_[t].corners[1]).point;
+    const Point& c = vertex(triangles_[t].corners[2]).point;
     const double area = doubled_area(a, b, c);
     const std::array<double, 3> w =
         clamped({doubled_area(p, b, c) / area, doubled_area(a, p, c) / area, doubled_area(a, b, p) / area});

@@ -36,10 +36,18 @@ class BackgroundMesh final : public MetricField {
   Location locate(const Point& p, int start) const;
   Location locate_exhaustively(const Point& p) const;
 
-  std::vector<Point> points_;
-  std::vector<std::array<int, 3>> triangles_;
-  std::vector<std::array<int, 3>> neighbors_;  // across the edge opposite to each corner, -1 at the boundary
-  std::vector<SymmetricTensor> values_;        // log M or M at each vertex
+  struct Vertex {
+    Point point;
+    SymmetricTensor value;  // log M or M
+  };
+  struct Triangle {
+    std::array<int, 3> corners;
+    std::array<int, 3> neighbors;  // across the edge opposite to each corner, -1 at the boundary
+  };
+  const Vertex& vertex(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
+
+  std::vector<Vertex> vertices_;
+  std::vector<Triangle> triangles_;
   MetricInterpolation interpolation_;
 };
 

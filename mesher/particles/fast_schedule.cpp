@@ -1,6 +1,7 @@
 #include "mesher/particles/fast_schedule.h"
 
 #include "mesher/particles/boundary.h"
+#include "mesher/particles/local_repair.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/motion.h"
 #include "mesher/particles/population.h"
@@ -23,13 +24,11 @@ void match_population(ParticleSystem& particles, const Boundary& boundary, std::
   boundary.match_counts(particles);
 }
 
-// Connectivity is brought up to date after every second sweep, counted from the last.
+// Metrics and connectivity are brought up to date in every second sweep, counted from the last.
 void relax(ParticleSystem& particles, const Boundary& boundary, Motion motion, int sweeps) {
   const std::vector<double> targets = boundary.targets(particles);
-  for (int left = sweeps - 1; left >= 0; --left) {
-    sweep(particles, motion, targets);
-    if (left % 2 == 0) flip_all(particles);
-  }
+  for (int left = sweeps - 1; left >= 0; --left)
+    sweep(particles, motion, targets, left % 2 == 0 ? Update::Now : Update::Later);
 }
 
 }  // namespace
@@ -65,6 +64,7 @@ void run_fast_schedule(ParticleSystem& particles, const FastScheduleOptions& opt
   }
   relax(particles, boundary, Motion::Force, options.final_force_sweeps);
   relax(particles, boundary, Motion::IdealApex, options.final_apex_sweeps);
+  for (int i = 0; i < options.repairs; ++i) repair_places(particles);
 }
 
 }  // namespace parmesan

@@ -11,6 +11,7 @@ struct FastScheduleOptions {
   int sweeps_per_round = 3;  // force sweeps after each change of the population
   int final_force_sweeps = 10;
   int final_apex_sweeps = 3;
+  int repairs = 1;
   std::int64_t max_vertices = 10'000'000;
 };
 

@@ -19,6 +19,15 @@ bool is_flip_valid(const Point& a, const Point& b, const Point& c, const Point& 
 
 }  // namespace
 
+bool fails_in_circle(const Point& a, const Point& b, const Point& c, const Point& d, const SymmetricTensor& m) {
+  constexpr double margin = 1e-10;
+  const double sin_a = cross(d - a, c - a);
+  const double cos_a = dot(d - a, m * (c - a));
+  const double sin_b = cross(c - b, d - b);
+  const double cos_b = dot(c - b, m * (d - b));
+  return sin_a * cos_b + cos_a * sin_b > margin * (std::abs(sin_a * cos_b) + std::abs(cos_a * sin_b));
+}
+
 bool wants_flip(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
@@ -32,14 +41,7 @@ bool wants_flip(const ParticleSystem& particles, EdgeId e) {
   const Point& d = mesh.point(vd);
   const Metric m =
       mean(mean(particles.metric(va), particles.metric(vb)), mean(particles.metric(vc), particles.metric(vd)));
-  const double sin_a = cross(d - a, c - a);
-  const double cos_a = dot(d - a, m.tensor() * (c - a));
-  const double sin_b = cross(c - b, d - b);
-  const double cos_b = dot(c - b, m.tensor() * (d - b));
-  constexpr double margin = 1e-10;
-  const double value = sin_a * cos_b + cos_a * sin_b;
-  if (value <= margin * (std::abs(sin_a * cos_b) + std::abs(cos_a * sin_b))) return false;
-  return is_flip_valid(a, b, c, d, m);
+  return fails_in_circle(a, b, c, d, m.tensor()) && is_flip_valid(a, b, c, d, m);
 }
 
 long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap) {

@@ -1,12 +1,14 @@
 #include "mesher/particles/motion.h"
 
 #include <cmath>
+#include <vector>
 
 #include "mesher/particles/forces.h"
+#include "mesher/particles/metric_flips.h"
 
 namespace parmesan {
 
-bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step) {
+bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step, Update update) {
   constexpr double good_enough = 0.3;
   constexpr int max_tries = 4;
   const Point& from = particles.mesh().point(v);
@@ -15,12 +17,16 @@ bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vec
   Vector d = step;
   for (int i = 0; i < max_tries; ++i, d = 0.5 * d) {
     const Point to = from + d;
-    const double after = star.min_quality(to, metric);
-    if (after < good_enough) {
+    if (!star.has_quality(good_enough, to, metric)) {
       if (before < -1.0) before = star.min_quality(from, metric);
+      const double after = star.min_quality(to, metric);
       if (after <= before || after <= 0.0) continue;
     }
-    particles.move(v, to);
+    if (update == Update::Now) {
+      particles.move(v, to);
+    } else {
+      particles.mesh().set_point(v, to);
+    }
     return true;
   }
   return false;
@@ -36,10 +42,27 @@ Vector towards_target(const ParticleSystem& particles, VertexId v, double target
   return lerp(a, b, target) - particles.mesh().point(v);
 }
 
+// Flips the spokes that fail the in-circle test with v where it is now. A spoke and its reverse are
+// tested once per sweep, at the end that the even number of its edge belongs to.
+void flip_spokes(ParticleSystem& particles, const Star& star, VertexId v, std::vector<EdgeId>& stack) {
+  const Point& p = particles.mesh().point(v);
+  const SymmetricTensor& m = particles.metric(v).tensor();
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Star::Spoke& s = star.spoke(i);
+    const Star::Spoke& left = star.next(i);
+    const Star::Spoke& right = star.previous(i);
+    if ((s.edge.index & 2) != 0 || !s.has_triangle || !right.has_triangle) continue;
+    const SymmetricTensor sum = m + s.metric.tensor() + left.metric.tensor() + right.metric.tensor();
+    if (fails_in_circle(p, s.point, left.point, right.point, sum)) stack.push_back(s.edge);
+  }
+  if (!stack.empty()) legalize(particles, stack, 100);
+}
+
 }  // namespace
 
-void sweep(ParticleSystem& particles, Motion motion, std::span<const double> targets) {
+void sweep(ParticleSystem& particles, Motion motion, std::span<const double> targets, Update update) {
   Star star;
+  std::vector<EdgeId> stack;
   for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
     if (!particles.mesh().has_vertex(v) || particles.binding(v) == fixed_particle) continue;
     const double target = particles.is_free(v) ? 0.0 : targets[static_cast<std::size_t>(v)];
@@ -50,8 +73,8 @@ void sweep(ParticleSystem& particles, Motion motion, std::span<const double> tar
     const Vector step = !particles.is_free(v)     ? towards_target(particles, v, target)
                         : motion == Motion::Force ? force_step(star, p, m)
                                                   : ideal_apex_step(star, p, m);
-    if (step == Vector{}) continue;
-    try_move(particles, star, v, step);
+    if (step != Vector{}) try_move(particles, star, v, step, update);
+    if (update == Update::Now) flip_spokes(particles, star, v, stack);
   }
 }
 

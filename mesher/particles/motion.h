@@ -6,16 +6,20 @@
 
 namespace parmesan {
 
+/// When a particle that has moved feels the metric at its new place, and its spokes are flipped:
+/// at once, or in the next sweep that updates. Near equilibrium every second sweep is enough.
+enum class Update { Now, Later };
+
 /// Moves v by step, halved up to four times, if the star allows it: afterwards every triangle has
 /// quality of at least 0.3, or the worst of them has become better. Returns whether it moved.
-bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step);
+bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step, Update update);
 
 /// What moves the free particles in a sweep.
 enum class Motion { Force, IdealApex };
 
 /// Visits every particle once, in the order of its number: free ones follow the motion, those on
-/// a segment go towards their target parameter there (see boundary.h). Connectivity stays.
-/// targets: one per vertex slot, NaN where there is none.
-void sweep(ParticleSystem& particles, Motion motion, std::span<const double> targets);
+/// a segment go towards their target parameter there (see boundary.h). An update flips the spokes
+/// that fail the in-circle test 5.13. targets: one per vertex slot, NaN where there is none.
+void sweep(ParticleSystem& particles, Motion motion, std::span<const double> targets, Update update = Update::Now);
 
 }  // namespace parmesan

@@ -15,6 +15,9 @@ namespace parmesan {
 namespace {
 
 constexpr double min_quality_after = 0.1;  // of the triangles that a collapse stretches
+constexpr double long_edge = 1.2;
+constexpr double short_edge = 0.5 * long_edge;  // creation never makes what annihilation takes away
+constexpr double area_slack = 0.05;             // of both rules, for the same reason
 
 double triangle_area(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
@@ -32,11 +35,10 @@ double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
 }
 
 bool is_too_long(const ParticleSystem& particles, EdgeId e) {
-  constexpr double max_length = 1.2;
-  constexpr double max_area = 3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0;
+  constexpr double max_area = (1.0 + area_slack) * (3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0);
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
-  if (squared_edge_length(particles, e) <= max_length * max_length) return false;
+  if (squared_edge_length(particles, e) <= long_edge * long_edge) return false;
   return triangle_area(particles, e) + triangle_area(particles, sym(e)) > max_area;
 }
 
@@ -108,7 +110,7 @@ bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
     const bool may_go = binding == free_particle || (binding >= 0 && mesh.segment(side) == binding);
     if (!may_go) continue;
     star.gather(particles, v);
-    if (star.quality_after_collapse(mesh.dest(side)) < min_quality_after) continue;
+    if (star.quality_after_collapse(side) < min_quality_after) continue;
     mesh.collapse(side);
     return true;
   }
@@ -118,14 +120,14 @@ bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
 namespace {
 
 bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId v) {
-  constexpr double min_length = 0.7;
+  constexpr double min_area = 1.0 - area_slack;
   const Point& p = particles.mesh().point(v);
   const Metric& m = particles.metric(v);
   const auto n = static_cast<double>(star.size());
   const double area = star.metric_area(p, m);
-  if (area * area < 3.0 * n * (n - 2.0) / 16.0) return true;
+  if (area * area < min_area * min_area * 3.0 * n * (n - 2.0) / 16.0) return true;
   for (std::size_t i = 0; i < star.size(); ++i)
-    if (squared_length_in_mean(star.spoke(i).point - p, m, star.spoke(i).metric) < min_length * min_length) return true;
+    if (squared_length_in_mean(star.spoke(i).point - p, m, star.spoke(i).metric) < short_edge * short_edge) return true;
   return false;
 }
 
@@ -155,7 +157,7 @@ int annihilate_particles(ParticleSystem& particles) {
     if (!is_superfluous(particles, star, v)) continue;
     const std::vector<LongEdge> spokes = spokes_by_length(particles, v);
     for (std::size_t i = 0; i < std::min(max_tries, spokes.size()); ++i) {
-      if (star.quality_after_collapse(spokes[i].dest) < min_quality_after) continue;
+      if (star.quality_after_collapse(spokes[i].edge) < min_quality_after) continue;
       mesh.collapse(spokes[i].edge);
       for_each_spoke(mesh, spokes[i].dest, [&](EdgeId e) { stack.push_back(e); });
       legalize(particles, stack, 100);

@@ -14,23 +14,23 @@ void Star::gather(const ParticleSystem& particles, VertexId v) {
   const Triangulation& mesh = particles.mesh();
   for_each_spoke(mesh, v, [&](EdgeId e) {
     const VertexId w = mesh.dest(e);
-    spokes_.push_back({mesh.point(w), particles.metric(w), w, mesh.is_inside_left(e)});
+    spokes_.push_back({mesh.point(w), particles.metric(w), e, mesh.is_inside_left(e)});
   });
 }
 
 // With s the sum of the three metrics, the mean ratio is 2 sqrt3 (2A) sqrt(det s) / sum d^T s d: the
-// factor 1/3 cancels. Squares are compared, so that only one root is taken. Returns the square
-// without its factor 12, or -1 for a triangle that is not counter-clockwise.
-inline double Star::squared_quality(std::size_t i, const Point& p, const Metric& m) const {
+// factor 1/3 cancels. Squares are compared, so that only one root is taken, and without the factor
+// 12. Negative for a triangle that is not counter-clockwise.
+inline Star::Ratio Star::squared_quality(std::size_t i, const Point& p, const Metric& m) const {
   const Spoke& a = spokes_[i];
   const Spoke& b = next(i);
   const Vector pa = a.point - p;
   const Vector pb = b.point - p;
-  if (orient2d(a.point, b.point, p) <= 0.0) return -1.0;
+  if (orient2d(a.point, b.point, p) <= 0.0) return {-1.0, 1.0};
   const double area = cross(pa, pb);
   const SymmetricTensor s = m.tensor() + a.metric.tensor() + b.metric.tensor();
   const double lengths = quadratic_form(s, pa) + quadratic_form(s, pb) + quadratic_form(s, pb - pa);
-  return area * area * determinant(s) / (lengths * lengths);
+  return {area * area * determinant(s), lengths * lengths};
 }
 
 namespace {
@@ -43,18 +43,32 @@ double quality_from_square(double square) {
 
 double Star::min_quality(const Point& p, const Metric& m) const {
   double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < spokes_.size() && smallest >= 0.0; ++i)
-    if (spokes_[i].has_triangle) smallest = std::min(smallest, squared_quality(i, p, m));
+  for (std::size_t i = 0; i < spokes_.size() && smallest >= 0.0; ++i) {
+    if (!spokes_[i].has_triangle) continue;
+    const Ratio q = squared_quality(i, p, m);
+    smallest = std::min(smallest, q.over / q.under);
+  }
   return quality_from_square(smallest);
 }
 
-double Star::quality_after_collapse(VertexId w) const {
+bool Star::has_quality(double at_least, const Point& p, const Metric& m) const {
+  const double square = at_least * at_least / 12.0;
+  for (std::size_t i = 0; i < spokes_.size(); ++i) {
+    if (!spokes_[i].has_triangle) continue;
+    const Ratio q = squared_quality(i, p, m);
+    if (!(q.over >= square * q.under)) return false;
+  }
+  return true;
+}
+
+double Star::quality_after_collapse(EdgeId e) const {
   std::size_t k = 0;
-  while (spokes_[k].vertex != w) ++k;
+  while (spokes_[k].edge != e) ++k;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < spokes_.size() && smallest >= 0.0; ++i) {
-    if (!spokes_[i].has_triangle || i == k || next(i).vertex == w) continue;
-    smallest = std::min(smallest, squared_quality(i, spokes_[k].point, spokes_[k].metric));
+    if (!spokes_[i].has_triangle || i == k || next(i).edge == e) continue;
+    const Ratio q = squared_quality(i, spokes_[k].point, spokes_[k].metric);
+    smallest = std::min(smallest, q.over / q.under);
   }
   return std::isinf(smallest) ? -1.0 : quality_from_square(smallest);
 }

@@ -15,7 +15,7 @@ class Star {
   struct Spoke {
     Point point;
     Metric metric;
-    VertexId vertex = no_vertex;
+    EdgeId edge;                // from the particle to the neighbour
     bool has_triangle = false;  // is the face counter-clockwise of the spoke inside
   };
 
@@ -24,20 +24,29 @@ class Star {
   std::size_t size() const { return spokes_.size(); }
   const Spoke& spoke(std::size_t i) const { return spokes_[i]; }
   const Spoke& next(std::size_t i) const { return spokes_[i + 1 < spokes_.size() ? i + 1 : 0]; }
+  const Spoke& previous(std::size_t i) const { return spokes_[i > 0 ? i - 1 : spokes_.size() - 1]; }
 
   /// Smallest mean ratio of the triangles if the particle were at p and felt m; each triangle in
   /// the mean of its vertex metrics. Negative when one would not be counter-clockwise.
   double min_quality(const Point& p, const Metric& m) const;
 
-  /// Smallest mean ratio of the triangles that stay when the particle merges into its neighbour w.
-  /// Negative when none stays.
-  double quality_after_collapse(VertexId w) const;
+  /// Is min_quality(p, m) at least this, which must be positive; cheaper than the number itself.
+  bool has_quality(double at_least, const Point& p, const Metric& m) const;
+
+  /// Smallest mean ratio of the triangles that stay when the particle merges into the neighbour at
+  /// the end of the spoke e. Negative when none stays.
+  double quality_after_collapse(EdgeId e) const;
 
   /// Area of the star in the metric (thesis 5.10), for the annihilation rule 3.4.2.
   double metric_area(const Point& p, const Metric& m) const;
 
  private:
-  double squared_quality(std::size_t i, const Point& p, const Metric& m) const;
+  /// Of triangle i, so that its mean ratio is sqrt(12 over / under).
+  struct Ratio {
+    double over;
+    double under;
+  };
+  Ratio squared_quality(std::size_t i, const Point& p, const Metric& m) const;
 
   std::vector<Spoke> spokes_;
 };

@@ -94,8 +94,18 @@ TEST_CASE("the quality of a star is that of its worst triangle, negative outside
   CHECK(star.metric_area({0.0, 0.0}, hexagon.metric) == Approx(6.0 * 0.43301270189).epsilon(1e-9));
 }
 
+TEST_CASE("has_quality says whether min_quality reaches a bound", "[mesher][particles]") {
+  const Hexagon hexagon;
+  const Star star = hexagon.star();
+  for (double x = 0.0; x < 1.5; x += 0.1) {
+    const double quality = star.min_quality({x, 0.2}, hexagon.metric);
+    for (const double bound : {0.01, 0.3, 0.6, 0.9})
+      CHECK(star.has_quality(bound, {x, 0.2}, hexagon.metric) == (quality >= bound));
+  }
+}
+
 TEST_CASE("merging the centre of a hexagon into a corner leaves the four triangles of a fan", "[mesher][particles]") {
   const Hexagon hexagon;
   // The worst of the fan has sides 1, 1, sqrt3: quality 4 sqrt3 (sqrt3 / 4) / 5 = 0.6.
-  CHECK(hexagon.star().quality_after_collapse(3) == Approx(0.6).epsilon(1e-9));
+  CHECK(hexagon.star().quality_after_collapse(hexagon.star().spoke(0).edge) == Approx(0.6).epsilon(1e-9));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/errors.h"
+#include "mesher/particles/fast_schedule.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/triangulation/check.h"
 #include "mesher/triangulation/conversion.h"
@@ -46,6 +47,16 @@ TEST_CASE("creation and annihilation lead to the density of the metric from eith
   }
   CHECK(triangles / 3 > 0.7 * unit_triangles(h));
   CHECK(triangles / 3 < 1.4 * unit_triangles(h));
+}
+
+TEST_CASE("the rules hardly touch a relaxed mesh, so that rounds settle", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.06 * p.x, 0.08, 0.5); });
+  ParticleSystem particles = grid_particles(20, domain, field);
+  run_fast_schedule(particles, {});
+  const int n = particles.mesh().num_vertices();
+  CHECK(create_particles(particles, 100000) < n / 50);
+  CHECK(annihilate_particles(particles) < n / 50);
 }
 
 TEST_CASE("the limit on vertices is kept", "[mesher][particles][errors]") {

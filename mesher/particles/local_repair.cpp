@@ -1,0 +1,102 @@
+#include "mesher/particles/local_repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mesher/geometry/predicates.h"
+#include "mesher/metric/metric_length.h"
+#include "mesher/particles/metric_flips.h"
+#include "mesher/particles/star.h"
+
+namespace parmesan {
+namespace {
+
+constexpr double longest = 1.36;
+constexpr double poor_quality = 0.7;
+
+// Cheap, and true for every star that repair is meant for: the mean of squares is more than the
+// logarithmic mean of the lengths from the two ends, their product less than its square.
+bool needs_repair(const Star& star, const Point& p, const Metric& m) {
+  constexpr double above = longest * longest;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Vector d = star.spoke(i).point - p;
+    const double a = m.squared_length(d);
+    const double b = star.spoke(i).metric.squared_length(d);
+    if (0.5 * (a + b) > above || a * b * above * above < 1.0) return true;
+  }
+  return !star.has_quality(poor_quality, p, m);
+}
+
+double square(double x) { return x * x; }
+
+// The sum that repair makes smaller; infinite where a triangle is not counter-clockwise.
+double misfit(const Star& star, const Point& p, const Metric& m) {
+  constexpr double weight_of_lengths = 3.0;
+  const double tolerated = std::log(longest);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Star::Spoke& a = star.spoke(i);
+    const double length = metric_edge_length(a.point - p, m, a.metric);
+    sum += weight_of_lengths * square(std::max(0.0, std::abs(std::log(length)) - tolerated));
+    if (!a.has_triangle) continue;
+    const Star::Spoke& b = star.next(i);
+    if (orient2d(p, a.point, b.point) <= 0.0) return std::numeric_limits<double>::infinity();
+    sum += square(1.0 - mean_ratio(p, a.point, b.point, mean(m, a.metric, b.metric)));
+  }
+  return sum;
+}
+
+// Eight directions, 45 degrees apart and of length 1 in the metric.
+std::array<Vector, 8> directions(const Metric& m) {
+  const SymmetricTensor& t = m.tensor();
+  const Vector u{1.0 / std::sqrt(t.xx), 0.0};
+  const Vector v = std::sqrt(t.xx / determinant(t)) * Vector{-t.xy / t.xx, 1.0};  // orthogonal to u in the metric
+  const Vector uv = std::sqrt(0.5) * (u + v);
+  const Vector vu = std::sqrt(0.5) * (v - u);
+  return {u, uv, v, vu, -1.0 * u, -1.0 * uv, -1.0 * v, -1.0 * vu};
+}
+
+Point best_place_near(const ParticleSystem& particles, const Star& star, VertexId v) {
+  constexpr double first_step = 0.15;
+  constexpr int max_steps = 4;
+  Point best = particles.mesh().point(v);
+  double least = misfit(star, best, particles.metric(v));
+  const std::array<Vector, 8> compass = directions(particles.metric(v));
+  double step = first_step;
+  for (int i = 0; i < max_steps; ++i) {
+    const Point center = best;
+    for (const Vector& direction : compass) {
+      const Point p = center + step * direction;
+      const double there = misfit(star, p, particles.metric_near(v, p));
+      if (there < least) {
+        least = there;
+        best = p;
+      }
+    }
+    if (best == center) step *= 0.5;
+  }
+  return best;
+}
+
+}  // namespace
+
+int repair_places(ParticleSystem& particles) {
+  Star star;
+  int moved = 0;
+  for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
+    if (!particles.mesh().has_vertex(v) || !particles.is_free(v)) continue;
+    star.gather(particles, v);
+    const Point from = particles.mesh().point(v);
+    if (!needs_repair(star, from, particles.metric(v))) continue;
+    const Point to = best_place_near(particles, star, v);
+    if (to == from) continue;
+    particles.move(v, to);
+    ++moved;
+  }
+  flip_all(particles);
+  return moved;
+}
+
+}  // namespace parmesan
