@@ -84,9 +84,9 @@ TEST_CASE("try_move halves a step that would turn a triangle over, and gives up 
   Star star;
   star.gather(particles, centre);
   // The star is one cell wide: 0.4 to the right is outside, 0.2 and 0.1 inside.
-  CHECK(try_move(particles, star, centre, {0.4, 0.0}));
+  CHECK(try_move(particles, star, centre, {0.4, 0.0}, Update::Now));
   CHECK(particles.mesh().point(centre).x < 0.75);
   CHECK(particles.mesh().point(centre).x > 0.5);
   star.gather(particles, centre);
-  CHECK_FALSE(try_move(particles, star, centre, {100.0, 0.0}));
+  CHECK_FALSE(try_move(particles, star, centre, {100.0, 0.0}, Update::Now));
 }
