@@ -48,10 +48,21 @@ std::array<double, 3> clamped(std::array<double, 3> w) {
   return w;
 }
 
+// The inner edge that has p farthest on its other side, -1 if there is none.
+int side_to_cross(const std::array<double, 3>& w, const std::array<int, 3>& neighbors, double tolerance) {
+  int out = -1;
+  for (int e = 0; e < 3; ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    if (w[i] >= tolerance || neighbors[i] < 0) continue;
+    if (out < 0 || w[i] < w[static_cast<std::size_t>(out)]) out = e;
+  }
+  return out;
+}
+
 }  // namespace
 
-// Visibility walk: cross the edge that has p farthest on its other side, never the one just
-// crossed. It can cycle where the mesh is not Delaunay, hence the cap.
+// Visibility walk: cross the edge that has p farthest on its other side. It can cycle where the mesh is not Delaunay,
+// hence the cap.
 BackgroundMesh::Location BackgroundMesh::locate(const Point& p, int start) const {
   constexpr int max_steps = 2000;
   constexpr double slack = 1e-3;  // how far outside of a boundary edge p may lie, in barycentric coordinates
@@ -61,21 +72,18 @@ BackgroundMesh::Location BackgroundMesh::locate(const Point& p, int start) const
     const Point& a = vertex(corners[0]).point;
     const Point& b = vertex(corners[1]).point;
     const Point& c = vertex(corners[2]).point;
-    const double area = doubled_area(a, b, c);
     const std::array<double, 3> w{doubled_area(p, b, c), doubled_area(a, p, c), doubled_area(a, b, p)};
-    const double tolerance = 1e-12 * area;
-    std::size_t out = 3;
-    for (std::size_t e = 0; e < 3; ++e) {
-      if (w[e] >= -tolerance || neighbors[e] < 0) continue;
-      if (out == 3 || w[e] < w[out]) out = e;
+    const double area = w[0] + w[1] + w[2];
+    const double tolerance = -1e-12 * area;
+    if (w[0] >= tolerance && w[1] >= tolerance && w[2] >= tolerance)
+      return {triangle, clamped({w[0] / area, w[1] / area, w[2] / area})};
+    const int out = side_to_cross(w, neighbors, tolerance);
+    if (out < 0) {
+      const std::array<double, 3> weights{w[0] / area, w[1] / area, w[2] / area};
+      if (std::min({weights[0], weights[1], weights[2]}) < -slack) return {};
+      return {triangle, clamped(weights)};
     }
-    if (out < 3) {
-      triangle = neighbors[out];
-      continue;
-    }
-    const std::array<double, 3> weights{w[0] / area, w[1] / area, w[2] / area};
-    if (std::min({weights[0], weights[1], weights[2]}) < -slack) return {};
-    return {triangle, clamped(weights)};
+    triangle = neighbors[static_cast<std::size_t>(out)];
   }
   return {};
 }

@@ -29,11 +29,19 @@ SymmetricTensor compose(const Eigen2& e) {
   return {e.l1 * c * c + e.l2 * s * s, (e.l1 - e.l2) * c * s, e.l1 * s * s + e.l2 * c * c};
 }
 
+// With t = tr/2, S = A - t I, r = sqrt(-det S) and the eigenvalues t + r and det A / (t + r):
+// log A = (log l1 + log l2) / 2 I + (log l1 - log l2) / (2 r) S.
 SymmetricTensor log(const SymmetricTensor& a) {
-  Eigen2 e = eigen_decomposition(a);
-  e.l1 = std::log(e.l1);
-  e.l2 = std::log(e.l2);
-  return compose(e);
+  const double t = 0.5 * (a.xx + a.yy);
+  const double d = 0.5 * (a.xx - a.yy);
+  const double r = std::hypot(d, a.xy);
+  const double l1 = t + r;
+  const double l2 = (a.xx / l1) * a.yy - (a.xy / l1) * a.xy;
+  const double log1 = std::log(l1);
+  const double log2 = std::log(l2);
+  const double mean = 0.5 * (log1 + log2);
+  const double slope = r > 1e-8 * t ? 0.5 * (log1 - log2) / r : 1.0 / t;
+  return {mean + slope * d, slope * a.xy, mean - slope * d};
 }
 
 }  // namespace parmesan

@@ -26,7 +26,7 @@ bool needs_repair(const Star& star, const Point& p, const Metric& m) {
     const double b = star.spoke(i).metric.squared_length(d);
     if (0.5 * (a + b) > above || a * b * above * above < 1.0) return true;
   }
-  return !star.has_quality(poor_quality, p, m);
+  return star.min_quality(p, m) < poor_quality;
 }
 
 double square(double x) { return x * x; }

@@ -21,16 +21,16 @@ void Star::gather(const ParticleSystem& particles, VertexId v) {
 // With s the sum of the three metrics, the mean ratio is 2 sqrt3 (2A) sqrt(det s) / sum d^T s d: the
 // factor 1/3 cancels. Squares are compared, so that only one root is taken, and without the factor
 // 12. Negative for a triangle that is not counter-clockwise.
-inline Star::Ratio Star::squared_quality(std::size_t i, const Point& p, const Metric& m) const {
+inline double Star::squared_quality(std::size_t i, const Point& p, const Metric& m) const {
   const Spoke& a = spokes_[i];
   const Spoke& b = next(i);
   const Vector pa = a.point - p;
   const Vector pb = b.point - p;
-  if (orient2d(a.point, b.point, p) <= 0.0) return {-1.0, 1.0};
-  const double area = cross(pa, pb);
+  const double area = orient2d(a.point, b.point, p);
+  if (area <= 0.0) return -1.0;
   const SymmetricTensor s = m.tensor() + a.metric.tensor() + b.metric.tensor();
   const double lengths = quadratic_form(s, pa) + quadratic_form(s, pb) + quadratic_form(s, pb - pa);
-  return {area * area * determinant(s), lengths * lengths};
+  return area * area * determinant(s) / (lengths * lengths);
 }
 
 namespace {
@@ -44,19 +44,29 @@ double quality_from_square(double square) {
 double Star::min_quality(const Point& p, const Metric& m) const {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < spokes_.size() && smallest >= 0.0; ++i) {
-    if (!spokes_[i].has_triangle) continue;
-    const Ratio q = squared_quality(i, p, m);
-    smallest = std::min(smallest, q.over / q.under);
+    if (spokes_[i].has_triangle) smallest = std::min(smallest, squared_quality(i, p, m));
   }
   return quality_from_square(smallest);
 }
 
+// In the coordinates u = L^T x with M = L L^T the metric is Euclidean. With a, b the two spokes there,
+// the mean ratio is 2 sqrt3 (a x b) / (|a|^2 + |b|^2 + |b - a|^2) = sqrt3 (a x b) / (|a|^2 + |b|^2 - a.b).
 bool Star::has_quality(double at_least, const Point& p, const Metric& m) const {
-  const double square = at_least * at_least / 12.0;
-  for (std::size_t i = 0; i < spokes_.size(); ++i) {
-    if (!spokes_[i].has_triangle) continue;
-    const Ratio q = squared_quality(i, p, m);
-    if (!(q.over >= square * q.under)) return false;
+  const double l11 = std::sqrt(m.tensor().xx);
+  const double l21 = m.tensor().xy / l11;
+  const double l22 = m.density() / l11;
+  const double bound = at_least / std::numbers::sqrt3;
+  const auto unit = [&](const Vector& d) { return Vector{l11 * d.x + l21 * d.y, l22 * d.y}; };
+  Vector a = unit(spokes_.back().point - p);
+  const Spoke* from = &spokes_.back();
+  for (const Spoke& to : spokes_) {
+    const Vector b = unit(to.point - p);
+    if (from->has_triangle) {
+      if (cross(a, b) < bound * (squared_norm(a) + squared_norm(b) - dot(a, b))) return false;
+      if (orient2d(from->point, to.point, p) <= 0.0) return false;
+    }
+    a = b;
+    from = &to;
   }
   return true;
 }
@@ -67,8 +77,7 @@ double Star::quality_after_collapse(EdgeId e) const {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < spokes_.size() && smallest >= 0.0; ++i) {
     if (!spokes_[i].has_triangle || i == k || next(i).edge == e) continue;
-    const Ratio q = squared_quality(i, spokes_[k].point, spokes_[k].metric);
-    smallest = std::min(smallest, q.over / q.under);
+    smallest = std::min(smallest, squared_quality(i, spokes_[k].point, spokes_[k].metric));
   }
   return std::isinf(smallest) ? -1.0 : quality_from_square(smallest);
 }

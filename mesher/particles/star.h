@@ -30,7 +30,8 @@ class Star {
   /// the mean of its vertex metrics. Negative when one would not be counter-clockwise.
   double min_quality(const Point& p, const Metric& m) const;
 
-  /// Is min_quality(p, m) at least this, which must be positive; cheaper than the number itself.
+  /// Would every triangle be counter-clockwise and its mean ratio in m alone at least this, which
+  /// must be positive? Three times cheaper than min_quality.
   bool has_quality(double at_least, const Point& p, const Metric& m) const;
 
   /// Smallest mean ratio of the triangles that stay when the particle merges into the neighbour at
@@ -41,12 +42,7 @@ class Star {
   double metric_area(const Point& p, const Metric& m) const;
 
  private:
-  /// Of triangle i, so that its mean ratio is sqrt(12 over / under).
-  struct Ratio {
-    double over;
-    double under;
-  };
-  Ratio squared_quality(std::size_t i, const Point& p, const Metric& m) const;
+  double squared_quality(std::size_t i, const Point& p, const Metric& m) const;
 
   std::vector<Spoke> spokes_;
 };
