@@ -59,7 +59,7 @@ struct Case {
   MetricOptions metric;
   Targets targets;
   GenerateOptions mesher;
-  std::int64_t initial_vertices = 400;             // size of the uniform start mesh ("initial": {"vertices": ...})
+  std::int64_t initial_vertices = 400;  // size of the uniform start mesh ("initial": {"vertices": ...})
   OutputOptions output;
   std::vector<Expectation> expect;
 };

@@ -105,8 +105,7 @@ class QuadEdge {
     return static_cast<std::size_t>(e.index);
   }
 
-  /// What each directed edge knows. The four of one edge fill half a cache line (20 % faster than
-  /// two arrays).
+  /// What each directed edge knows. The four of one edge fill half a cache line.
   struct Place {
     EdgeId next;   // onext; no_edge when freed
     VertexId org;  // on dual edges what their face carries
