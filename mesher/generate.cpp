@@ -11,6 +11,7 @@
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/previous_mesh.h"
 #include "mesher/triangulation/conversion.h"
+#include "mesher/triangulation/ordering.h"
 #include "mesher/triangulation/refine.h"
 #include "mesher/triangulation/triangulate.h"
 
@@ -39,6 +40,9 @@ void check_size(double complexity, std::int64_t max_vertices) {
   }
 }
 
+// Particles are swept in the order of memory.
+Mesh in_local_order(Mesh mesh) { return is_local(mesh) ? mesh : reordered(mesh, local_order(mesh)); }
+
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
 Mesh mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double complexity,
@@ -62,7 +66,7 @@ Mesh mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& 
     particles.set_level({scale, false});
     run_fast_schedule(particles, level == 0 ? effort : coarse_effort);
     mesh = to_mesh(particles.mesh(), segment_numbers(domain)).mesh;
-    if (level > 0) mesh = refine_red(mesh);
+    if (level > 0) mesh = in_local_order(refine_red(mesh));
   }
   return mesh;
 }
@@ -109,7 +113,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
       start = refine_red(start);
       result.report.start = Start::RefinedPreviousMesh;
     }
-    result.mesh = mesh_from_previous(domain, field, std::move(start), effort);
+    result.mesh = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort);
   } else {
     result.mesh = mesh_in_levels(domain, field, start, complexity, effort);
   }

@@ -5,6 +5,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/triangulation/neighbors.h"
+#include "mesher/triangulation/ordering.h"
 
 namespace parmesan {
 
@@ -15,6 +16,18 @@ BackgroundMesh::BackgroundMesh(const Mesh& mesh, std::span<const Metric> metrics
                      std::to_string(metrics.size()) + " metrics were given");
   }
   if (mesh.triangles.empty()) throw InputError("the background mesh has no triangles");
+  if (is_local(mesh)) {
+    build(mesh, metrics);
+    return;
+  }
+  const MeshOrder order = local_order(mesh);
+  std::vector<Metric> ordered;
+  ordered.reserve(metrics.size());
+  for (const int v : order.vertices) ordered.push_back(metrics[static_cast<std::size_t>(v)]);
+  build(reordered(mesh, order), ordered);
+}
+
+void BackgroundMesh::build(const Mesh& mesh, std::span<const Metric> metrics) {
   vertices_.reserve(metrics.size());
   for (std::size_t i = 0; i < metrics.size(); ++i) {
     const bool logarithms = interpolation_ == MetricInterpolation::LogEuclidean;

@@ -18,7 +18,8 @@ enum class MetricInterpolation {
 /// A mesh that carries a metric per vertex, sampled by walking from the hint (thesis 5.4).
 ///
 /// Outside of the mesh the nearest triangle found decides, with its barycentric coordinates
-/// clamped. Cost of a look-up: O(triangles crossed), O(1) with a good hint.
+/// clamped. Brings a mesh whose numbering is not local into the order of memory first, so hints are
+/// its own. Cost of a look-up: O(triangles crossed), O(1) with a good hint.
 class BackgroundMesh final : public MetricField {
  public:
   /// metrics: one per vertex of the mesh. Errors: InputError when the counts differ.
@@ -29,6 +30,8 @@ class BackgroundMesh final : public MetricField {
   Metric at(const Point& p, MetricHint& hint) const override;
 
  private:
+  void build(const Mesh& mesh, std::span<const Metric> metrics);
+
   struct Location {
     int triangle = -1;
     std::array<double, 3> weights{};
