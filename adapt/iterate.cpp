@@ -22,17 +22,10 @@ Iterate generated(const Case& input, const MetricField& field, const Mesh* previ
   Iterate iterate;
   iterate.warnings = std::move(made.report.warnings);
   iterate.mesh = std::move(made.mesh);
+  iterate.metrics = std::move(made.metrics);
   iterate.seconds.mesh = watch.seconds();
   iterate.seconds.cpu = watch.cpu_seconds();
   return iterate;
-}
-
-std::vector<Metric> sampled(const MetricField& field, const Mesh& mesh) {
-  std::vector<Metric> metrics;
-  metrics.reserve(mesh.points.size());
-  MetricHint hint = -1;
-  for (const Point& p : mesh.points) metrics.push_back(field.at(p, hint));
-  return metrics;
 }
 
 // The largest resident set so far; Linux counts it in KiB.
@@ -99,7 +92,6 @@ Iterate uniform_iterate(const Case& input, double vertices) {
   const double wanted = complexity_for_vertices(vertices);
   const ConstantField field(Metric::isotropic(std::sqrt(domain_area / wanted)));
   Iterate iterate = generated(input, field, nullptr);
-  iterate.metrics = sampled(field, iterate.mesh);
   iterate.complexity = wanted;
   iterate.seconds.mesh = watch.seconds();
   iterate.seconds.cpu = watch.cpu_seconds();
@@ -109,7 +101,6 @@ Iterate uniform_iterate(const Case& input, double vertices) {
 Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric) {
   const BackgroundMesh field(previous.mesh, metric.metrics);
   Iterate iterate = generated(input, field, &previous.mesh);
-  iterate.metrics = sampled(field, iterate.mesh);
   iterate.complexity = metric.complexity;
   return iterate;
 }

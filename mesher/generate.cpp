@@ -40,13 +40,30 @@ void check_size(double complexity, std::int64_t max_vertices) {
   }
 }
 
+/// A mesh, its edges labelled with segments, and what its particles feel.
+struct Relaxed {
+  Mesh mesh;
+  std::vector<Metric> metrics;
+};
+
+Relaxed taken_from(const ParticleSystem& particles) {
+  ConvertedMesh converted = to_mesh(particles.mesh(), segment_numbers(particles.domain()));
+  Relaxed relaxed{std::move(converted.mesh), {}};
+  relaxed.metrics.reserve(converted.slots.size());
+  for (const VertexId v : converted.slots) relaxed.metrics.push_back(particles.metric(v));
+  return relaxed;
+}
+
 // Particles are swept in the order of memory.
-Mesh in_local_order(Mesh mesh) { return is_local(mesh) ? mesh : reordered(mesh, local_order(mesh)); }
+Mesh in_local_order(Mesh mesh) {
+  if (is_local(mesh)) return mesh;
+  return reordered(mesh, local_order(mesh));
+}
 
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
-Mesh mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double complexity,
-                    const FastScheduleOptions& effort) {
+Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double complexity,
+                       const FastScheduleOptions& effort) {
   const int levels = std::max(
       0, static_cast<int>(std::lround(std::log(expected_vertices(complexity) / coarsest_vertices) / std::log(4.0))));
   const FastScheduleOptions coarse_effort{.rounds = 2,
@@ -55,9 +72,9 @@ Mesh mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& 
                                           .final_apex_sweeps = 0,
                                           .repairs = 0,
                                           .max_vertices = effort.max_vertices};
-  Mesh mesh = outline;
+  Relaxed relaxed{outline, {}};
   for (int level = levels; level >= 0; --level) {
-    ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);
+    ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field);
     const double scale = std::pow(0.25, level);
     if (level == levels) {
       particles.set_level({scale, true});
@@ -65,16 +82,17 @@ Mesh mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& 
     }
     particles.set_level({scale, false});
     run_fast_schedule(particles, level == 0 ? effort : coarse_effort);
-    mesh = to_mesh(particles.mesh(), segment_numbers(domain)).mesh;
-    if (level > 0) mesh = in_local_order(refine_red(mesh));
+    relaxed = taken_from(particles);
+    if (level > 0) relaxed.mesh = in_local_order(refine_red(relaxed.mesh));
   }
-  return mesh;
+  return relaxed;
 }
 
-Mesh mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh, const FastScheduleOptions& effort) {
+Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh,
+                           const FastScheduleOptions& effort) {
   ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);
   run_fast_schedule(particles, effort);
-  return to_mesh(particles.mesh(), segment_numbers(domain)).mesh;
+  return taken_from(particles);
 }
 
 // Edges carry their segment's number while meshing; the user's label at the end.
@@ -107,17 +125,19 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   const double complexity = integrate_complexity(start, field);
   check_size(complexity, options.max_vertices);
 
+  Relaxed relaxed;
   if (segments) {
     result.report.start = Start::PreviousMesh;
     while (expected_vertices(complexity) > refine_above * start.num_vertices()) {
       start = refine_red(start);
       result.report.start = Start::RefinedPreviousMesh;
     }
-    result.mesh = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort);
+    relaxed = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort);
   } else {
-    result.mesh = mesh_in_levels(domain, field, start, complexity, effort);
+    relaxed = mesh_in_levels(domain, field, start, complexity, effort);
   }
-  result.mesh = with_user_labels(std::move(result.mesh), domain);
+  result.mesh = with_user_labels(std::move(relaxed.mesh), domain);
+  result.metrics = std::move(relaxed.metrics);
   result.report.complexity = complexity;
   validate(result.mesh);
   return result;

@@ -32,6 +32,7 @@ struct GenerateReport {
 
 struct GenerateResult {
   Mesh mesh;
+  std::vector<Metric> metrics;  // the field at each vertex
   GenerateReport report;
 };
 

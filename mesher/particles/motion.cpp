@@ -73,8 +73,10 @@ void sweep(ParticleSystem& particles, Motion motion, std::span<const double> tar
     const Vector step = !particles.is_free(v)     ? towards_target(particles, v, target)
                         : motion == Motion::Force ? force_step(star, p, m)
                                                   : ideal_apex_step(star, p, m);
-    if (step != Vector{}) try_move(particles, star, v, step, update);
-    if (update == Update::Now) flip_spokes(particles, star, v, stack);
+    const bool moved = step != Vector{} && try_move(particles, star, v, step, update);
+    if (update == Update::Later) continue;
+    if (!moved) particles.move(v, p);  // it may have come here in a sweep that did not update
+    flip_spokes(particles, star, v, stack);
   }
 }
 

@@ -50,15 +50,23 @@ void ParticleSystem::fix_isolated_points() {
   }
 }
 
+// Along edges, as a walk from a neighbour is short.
 void ParticleSystem::set_level(const Level& level) {
   level_ = level;
+  std::vector<bool> done(metric_.size(), false);
   MetricHint last = -1;
-  for (VertexId v = 0; v < mesh_.num_slots(); ++v) {
-    if (!mesh_.has_vertex(v)) continue;
-    MetricHint& hint = hint_[static_cast<std::size_t>(v)];
-    if (hint < 0) hint = last;
-    metric_[static_cast<std::size_t>(v)] = evaluate(mesh_.point(v), hint);
-    last = hint;
+  const auto update = [&](VertexId v) {
+    const auto i = static_cast<std::size_t>(v);
+    if (done[i]) return;
+    done[i] = true;
+    if (hint_[i] < 0) hint_[i] = last;
+    metric_[i] = evaluate(mesh_.point(v), hint_[i]);
+    last = hint_[i];
+  };
+  for (std::int32_t q = 0; q < mesh_.size(); ++q) {
+    if (!mesh_.is_alive(q)) continue;
+    update(mesh_.org({4 * q}));
+    update(mesh_.dest({4 * q}));
   }
 }
 

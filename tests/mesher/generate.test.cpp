@@ -68,6 +68,17 @@ TEST_CASE("holes, segments, points and labels are kept", "[mesher][generate]") {
   CHECK(length[9] == Approx(std::hypot(0.3, 0.2)).epsilon(1e-12));
 }
 
+TEST_CASE("the result carries the metric that its vertices feel where they are", "[mesher][generate]") {
+  const Preset preset = GENERATE(Preset::Fast, Preset::Mid, Preset::Good);
+  const CallableField field = circular_front(0.02, 0.08);
+  const GenerateResult result = generate(support::unit_square(), field, {.preset = preset});
+  REQUIRE(result.metrics.size() == result.mesh.points.size());
+  int stale = 0;
+  for (std::size_t v = 0; v < result.metrics.size(); ++v)
+    stale += result.metrics[v].tensor() != field.at(result.mesh.points[v]).tensor();
+  CHECK(stale == 0);
+}
+
 TEST_CASE("an anisotropic front is met from scratch and from the previous mesh", "[mesher][generate]") {
   const Domain domain = support::unit_square();
   const CallableField field = circular_front(0.02, 0.05);

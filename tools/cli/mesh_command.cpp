@@ -85,14 +85,6 @@ GenerateOptions generate_options(const MeshArguments& arguments) {
   return options;
 }
 
-MeshQuality quality_in(const MetricField& field, const Mesh& mesh) {
-  std::vector<Metric> metrics;
-  metrics.reserve(mesh.points.size());
-  MetricHint hint = -1;
-  for (const Point& point : mesh.points) metrics.push_back(field.at(point, hint));
-  return measure_quality(mesh, metrics);
-}
-
 std::string description(const GenerateReport& report) {
   const auto start = report.start == Start::Scratch        ? "from scratch"
                      : report.start == Start::PreviousMesh ? "from the previous mesh"
@@ -121,7 +113,7 @@ ExitCode mesh(const MeshArguments& arguments) {
   if (arguments.common.verbose) std::cerr << description(result.report) << std::endl;
   for (const std::string& output : arguments.outputs) write_mesh_file(output, result.mesh);
   if (arguments.common.quiet && !arguments.requirements.any()) return ExitCode::Done;
-  const MeshQuality quality = quality_in(*inputs.field, result.mesh);
+  const MeshQuality quality = measure_quality(result.mesh, result.metrics);
   if (!arguments.common.quiet) print_mesh_summary(std::cout, result.mesh, quality);
   return meets(quality, arguments.requirements) ? ExitCode::Done : ExitCode::TargetMissed;
 }
