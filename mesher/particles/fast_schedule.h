@@ -8,8 +8,8 @@ namespace parmesan {
 /// Effort of one meshing: how often population, connectivity and places are brought to agree.
 struct FastScheduleOptions {
   int rounds = 3;            // of population, flips and relaxation
-  int sweeps_per_round = 3;  // force sweeps after each change of the population
-  int final_force_sweeps = 10;
+  int sweeps_per_round = 2;  // force sweeps after each change of the population
+  int final_force_sweeps = 8;
   int final_apex_sweeps = 3;
   int repairs = 1;
   std::int64_t max_vertices = 10'000'000;
