@@ -48,7 +48,7 @@ class QuadEdge {
 
   /// Number of slots, freed ones included: undirected edges are 0 .. size() - 1.
   std::int32_t size() const { return static_cast<std::int32_t>(rings_.size() / 4); }
-  bool is_alive(std::int32_t q) const { return rings_[static_cast<std::size_t>(4 * q)].next != no_edge; }
+  bool is_alive(std::int32_t q) const { return rings_[4 * static_cast<std::size_t>(q)].next != no_edge; }
 
   /// Adds an isolated edge e; afterwards onext(e) == e and both end points are unset.
   /// Slots of deleted edges are used again, the last freed first.
