@@ -33,12 +33,12 @@ def includes(path):
 
 def closure(names):
     """The project's headers that these ones include, themselves among them."""
-    found, todo = set(), list(names)
-    while todo:
-        name = todo.pop()
+    found, pending = set(), list(names)
+    while pending:
+        name = pending.pop()
         if name not in found and (ROOT / name).is_file():
             found.add(name)
-            todo += [inner for _, bracket, inner in includes(ROOT / name) if bracket == '"']
+            pending += [inner for _, bracket, inner in includes(ROOT / name) if bracket == '"']
     return found
 
 

@@ -34,24 +34,12 @@ void relax(ParticleSystem& particles, const Boundary& boundary, Motion motion, i
 }  // namespace
 
 FastScheduleOptions fast_schedule_options(const GenerateOptions& options) {
-  FastScheduleOptions effort;
+  FastScheduleOptions effort;  // good
+  if (options.preset == Preset::Mid)
+    effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 4, .final_apex_sweeps = 2};
+  if (options.preset == Preset::Fast)
+    effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 2, .final_apex_sweeps = 1};
   effort.max_vertices = options.max_vertices;
-  switch (options.preset) {
-    case Preset::Good:
-      break;
-    case Preset::Mid:
-      effort.rounds = 2;
-      effort.sweeps_per_round = 1;
-      effort.final_force_sweeps = 4;
-      effort.final_apex_sweeps = 2;
-      break;
-    case Preset::Fast:
-      effort.rounds = 2;
-      effort.sweeps_per_round = 1;
-      effort.final_force_sweeps = 2;
-      effort.final_apex_sweeps = 1;
-      break;
-  }
   return effort;
 }
 
