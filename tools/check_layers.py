@@ -19,7 +19,7 @@ LIBRARIES = {
     "mesher": ("Eigen/", "omp.h"),
     "fem": ("Eigen/", "omp.h"),
     "adapt": ("Eigen/", "omp.h", "nlohmann/", "zlib.h"),
-    "tools": ("Eigen/", "omp.h", "nlohmann/", "CLI/", "benchmark/"),
+    "tools": ("Eigen/", "omp.h", "nlohmann/", "CLI/", "CGAL/", "benchmark/"),
 }
 POSIX = re.compile(r"^(sys/\w+|fcntl|unistd|signal|dirent|poll|malloc)\.h$")
 

@@ -1,0 +1,13 @@
+# The target `delaunay_speed` (tools/bench): our triangulations beside CGAL's, where CGAL is found.
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(CGAL 5.5 QUIET)
+add_executable(delaunay_speed EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tools/bench/delaunay_speed.cpp
+                                               ${PROJECT_SOURCE_DIR}/tools/bench/point_sets.cpp)
+target_link_libraries(delaunay_speed PRIVATE parmesan_mesher)
+if(CGAL_FOUND)
+  target_sources(delaunay_speed PRIVATE ${PROJECT_SOURCE_DIR}/tools/bench/cgal_delaunay.cpp)
+  target_link_libraries(delaunay_speed PRIVATE CGAL::CGAL)
+else()
+  target_sources(delaunay_speed PRIVATE ${PROJECT_SOURCE_DIR}/tools/bench/cgal_absent.cpp)
+endif()
+parmesan_compile_options(delaunay_speed)
