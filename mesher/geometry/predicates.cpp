@@ -4,6 +4,7 @@
 #include <array>
 
 #include "mesher/geometry/expansion.h"
+#include "mesher/geometry/fixed_point.h"
 
 namespace parmesan {
 
@@ -48,6 +49,22 @@ Expansion<16> exact_cross(const ExactVector& a, const ExactVector& b) { return a
 
 Expansion<16> exact_squared_norm(const ExactVector& a) { return a.x * a.x + a.y * a.y; }
 
+/// The sign of the in-circle determinant; nothing when the differences have no common unit. Crosses and
+/// squared norms of differences under 2^60 are under 2^121.
+std::optional<int> incircle_in_fixed_point(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const auto differences = in_fixed_point(std::array{difference(a.x, d.x), difference(a.y, d.y), difference(b.x, d.x),
+                                                     difference(b.y, d.y), difference(c.x, d.x), difference(c.y, d.y)});
+  if (!differences) return std::nullopt;
+  const auto [ux, uy, vx, vy, wx, wy] = *differences;
+  const auto cross = [](Int128 px, Int128 py, Int128 qx, Int128 qy) { return px * qy - py * qx; };
+  const auto squared_norm = [](Int128 px, Int128 py) { return px * px + py * py; };
+  WideSum sum;
+  sum.add_product(cross(vx, vy, wx, wy), squared_norm(ux, uy));
+  sum.add_product(cross(wx, wy, ux, uy), squared_norm(vx, vy));
+  sum.add_product(cross(ux, uy, vx, vy), squared_norm(wx, wy));
+  return sum.sign();
+}
+
 }  // namespace
 
 double orient2d_exact(const Point& a, const Point& b, const Point& c) {
@@ -56,6 +73,7 @@ double orient2d_exact(const Point& a, const Point& b, const Point& c) {
 }
 
 double incircle_exact(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (const auto sign = incircle_in_fixed_point(a, b, c, d)) return *sign;
   const auto [p, q, r, s] = brought_into(incircle_range, std::array{a, b, c, d});
   const ExactVector u = exact_vector(s, p);
   const ExactVector v = exact_vector(s, q);
