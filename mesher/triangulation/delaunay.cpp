@@ -37,6 +37,13 @@ void find_first_triangle(std::span<const Point> points, std::vector<int>& order)
   if (orient2d(at(0), at(1), at(2)) < 0.0) std::swap(order[1], order[2]);
 }
 
+/// Copied before they are inserted: one by one from their places, each would be waited for.
+std::vector<Point> in_order(std::span<const Point> points, const std::vector<int>& order) {
+  std::vector<Point> result(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) result[k] = points[static_cast<std::size_t>(order[k])];
+  return result;
+}
+
 void make_triangle(Triangulation& t, const std::array<VertexId, 3>& v) {
   std::array<EdgeId, 3> e;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -73,14 +80,14 @@ PointTriangulation delaunay(std::span<const Point> points) {
   PointTriangulation result;
   Triangulation& t = result.triangulation;
   t.reserve_for_vertices(points.size());
-  const auto position = [&](std::size_t k) -> const Point& { return points[static_cast<std::size_t>(order[k])]; };
-  make_triangle(t, {t.add_vertex(position(0)), t.add_vertex(position(1)), t.add_vertex(position(2))});
+  const std::vector<Point> sites = in_order(points, order);
+  make_triangle(t, {t.add_vertex(sites[0]), t.add_vertex(sites[1]), t.add_vertex(sites[2])});
   std::vector<int> point_of(order.begin(), order.begin() + 3);
   point_of.reserve(points.size());
   VertexId last = 0;
   for (std::size_t k = 3; k < order.size(); ++k) {
     const VertexId before = t.num_slots();
-    last = insert_site(t, position(k), t.edge_of(last));
+    last = insert_site(t, sites[k], t.edge_of(last));
     if (last == before) {
       point_of.push_back(order[k]);
     } else {
