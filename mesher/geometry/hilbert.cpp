@@ -23,12 +23,30 @@ constexpr std::array<std::array<Step, 4>, 4> steps{{
     {{{2, 3}, {1, 3}, {3, 0}, {0, 2}}},
 }};
 
+/// Four levels at once: cell (16 x + y) of 16 x 16 in a square of the given pose.
+constexpr Step four_steps(std::size_t pose, std::size_t cell) {
+  std::size_t position = 0;
+  for (std::size_t bit = 4; bit-- > 0;) {
+    const Step step = steps[pose][(cell >> (bit + 4) & 1U) << 1 | (cell >> bit & 1U)];
+    position = position << 2 | step.position;
+    pose = step.pose;
+  }
+  return {static_cast<std::uint8_t>(position), static_cast<std::uint8_t>(pose)};
+}
+
+constexpr std::array<std::array<Step, 256>, 4> steps_of_four = [] {
+  std::array<std::array<Step, 256>, 4> result{};
+  for (std::size_t pose = 0; pose < 4; ++pose)
+    for (std::size_t cell = 0; cell < 256; ++cell) result[pose][cell] = four_steps(pose, cell);
+  return result;
+}();
+
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0;
   std::size_t pose = 0;
-  for (int bit = 15; bit >= 0; --bit) {
-    const Step step = steps[pose][(x >> bit & 1U) << 1 | (y >> bit & 1U)];
-    key = key << 2 | step.position;
+  for (int shift = 12; shift >= 0; shift -= 4) {
+    const Step step = steps_of_four[pose][(x >> shift & 15U) << 4 | (y >> shift & 15U)];
+    key = key << 8 | step.position;
     pose = step.pose;
   }
   return key;

@@ -11,12 +11,11 @@ EdgeId QuadEdge::make_edge() {
   const EdgeId e{4 * (reuses ? freed_.back() : size())};
   const std::array<Place, 4> isolated = {
       {{e, no_vertex}, {inv_rot(e), no_vertex}, {sym(e), no_vertex}, {rot(e), no_vertex}}};
-  if (reuses) {
+  if (reuses)
     freed_.pop_back();
-    std::ranges::copy(isolated, rings_.begin() + e.index);
-  } else {
-    rings_.insert(rings_.end(), isolated.begin(), isolated.end());
-  }
+  else
+    rings_.resize(rings_.size() + isolated.size());
+  std::ranges::copy(isolated, rings_.begin() + e.index);
   return e;
 }
 
