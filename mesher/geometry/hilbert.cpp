@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace parmesan {
@@ -57,22 +58,32 @@ struct Keyed {
   int index;
 };
 
-std::vector<Keyed> keyed(std::span<const Point> points) {
+/// The square around the points, its half size 0 when they all are the same. Halved before they are
+/// subtracted, so that the largest doubles do not overflow.
+struct Square {
+  Point low;
+  double half_size;
+};
+
+Square square_around(std::span<const Point> points) {
   Point low = points[0];
   Point high = points[0];
   for (const Point& p : points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  // Halved before they are subtracted, so that the largest doubles do not overflow.
-  const double half_size = std::max(0.5 * high.x - 0.5 * low.x, 0.5 * high.y - 0.5 * low.y);
-  const auto cell = [half_size](double coordinate, double least) {
-    if (half_size == 0.0) return 0U;
-    return static_cast<std::uint32_t>(65535.0 * std::min(1.0, (0.5 * coordinate - 0.5 * least) / half_size));
+  return {low, std::max(0.5 * high.x - 0.5 * low.x, 0.5 * high.y - 0.5 * low.y)};
+}
+
+std::vector<Keyed> keyed(std::span<const Point> points, const Square& square) {
+  const auto cell = [&square](double coordinate, double least) {
+    const double share = (0.5 * coordinate - 0.5 * least) / square.half_size;
+    return static_cast<std::uint32_t>(65535.0 * std::min(1.0, share));
   };
   std::vector<Keyed> result(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    result[i] = {hilbert_key(cell(points[i].x, low.x), cell(points[i].y, low.y)), static_cast<int>(i)};
+    const auto& [x, y] = points[i];
+    result[i] = {hilbert_key(cell(x, square.low.x), cell(y, square.low.y)), static_cast<int>(i)};
   }
   return result;
 }
@@ -88,14 +99,42 @@ std::vector<Keyed> sorted_by_digit(const std::vector<Keyed>& items, int shift) {
   return result;
 }
 
+std::vector<Keyed> sorted(std::vector<Keyed> items) {
+  constexpr std::size_t fewer_than_digits = 2048;
+  if (items.size() < fewer_than_digits)
+    std::ranges::stable_sort(items, {}, &Keyed::key);
+  else
+    for (const int shift : {0, 11, 22}) items = sorted_by_digit(items, shift);
+  return items;
+}
+
+/// Brings the points of one cell into the order of a curve of their own.
+void order_within_cell(std::span<const Point> points, std::span<int> cell) {
+  std::vector<Point> inside(cell.size());
+  for (std::size_t i = 0; i < cell.size(); ++i) inside[i] = points[static_cast<std::size_t>(cell[i])];
+  std::vector<int> order = hilbert_order(inside);
+  for (int& i : order) i = cell[static_cast<std::size_t>(i)];
+  std::ranges::copy(order, cell.begin());
+}
+
 }  // namespace
 
 std::vector<int> hilbert_order(std::span<const Point> points) {
-  if (points.empty()) return {};
-  std::vector<Keyed> items = keyed(points);
-  for (const int shift : {0, 11, 22}) items = sorted_by_digit(items, shift);
+  constexpr std::size_t many_in_cell = 16;
   std::vector<int> order(points.size());
-  for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].index;
+  std::iota(order.begin(), order.end(), 0);
+  if (points.empty()) return order;
+  const Square square = square_around(points);
+  if (!(square.half_size > 0.0)) return order;
+  const std::vector<Keyed> items = sorted(keyed(points, square));
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    order[i] = items[i].index;
+    if (i + 1 < items.size() && items[i + 1].key == items[i].key) continue;
+    const std::size_t count = i + 1 - first;
+    if (count >= many_in_cell) order_within_cell(points, std::span(order).subspan(first, count));
+    first = i + 1;
+  }
   return order;
 }
 

@@ -50,8 +50,18 @@ TEST_CASE("hilbert_order of random points is a path of length of order sqrt(n ar
   CHECK(path_length(points, hilbert_order(points)) < 1.5 * 142.0);
 }
 
+TEST_CASE("hilbert_order of a cluster is as short when a far point makes it fall into one cell", "[mesher][hilbert]") {
+  std::vector<Point> points = random_points(10'000, 3);
+  points.push_back({1e6, 1e6});  // cells are 15 wide, the cluster 2
+  std::vector<int> order = hilbert_order(points);
+  REQUIRE(order.back() == 10'000);
+  order.pop_back();
+  CHECK(path_length(points, order) < 1.5 * 142.0);
+}
+
 TEST_CASE("hilbert_order keeps the order of equal points", "[mesher][hilbert]") {
   CHECK(hilbert_order(std::vector<Point>(5, Point{3, 4})) == std::vector<int>{0, 1, 2, 3, 4});
+  CHECK(hilbert_order(std::vector<Point>(100, Point{3, 4})).back() == 99);
   const std::vector<Point> pairs{{1, 1}, {0, 0}, {1, 1}, {0, 0}};
   CHECK(hilbert_order(pairs) == std::vector<int>{1, 3, 0, 2});
 }
