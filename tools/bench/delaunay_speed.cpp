@@ -2,7 +2,9 @@
 //
 //   delaunay_speed [POINTS [RUNS]]     1000000 points and 5 runs when they are not given
 //
-// The two take turns; the table has the medians of their processor times.
+// The two take turns; the table has the medians of their processor times. To build it:
+//
+//   cmake -B build/release -DPARMESAN_BUILD_BENCHMARKS=ON && cmake --build build/release --target delaunay_speed
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
