@@ -58,9 +58,27 @@ void flip_spokes(ParticleSystem& particles, const Star& star, VertexId v, std::v
   if (!stack.empty()) legalize(particles, stack, 100);
 }
 
+Vector shortened(const Vector& step, const Metric& m) {
+  constexpr double longest = 0.5;
+  const double length = m.length(step);
+  return length > longest ? longest / length * step : step;
+}
+
+// The step of a free particle; zero for one that is to stay.
+Vector free_step(const ParticleSystem& particles, const Star& star, VertexId v, const SweepOptions& options) {
+  const Point& p = particles.mesh().point(v);
+  const Metric& m = particles.metric(v);
+  const bool matters = options.only_resolved || options.momentum > 0.0;
+  const bool is_resolved = matters && star.is_resolved(p, m);
+  if (options.only_resolved && !is_resolved) return {};
+  const Vector step = options.motion == Motion::Force ? force_step(star, p, m) : ideal_apex_step(star, p, m);
+  if (options.momentum == 0.0 || !is_resolved) return step;
+  return shortened(step + options.momentum * particles.velocity(v), m);
+}
+
 }  // namespace
 
-void sweep(ParticleSystem& particles, Motion motion, std::span<const double> targets, Update update) {
+void sweep(ParticleSystem& particles, std::span<const double> targets, const SweepOptions& options) {
   Star star;
   std::vector<EdgeId> stack;
   for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
@@ -68,14 +86,13 @@ void sweep(ParticleSystem& particles, Motion motion, std::span<const double> tar
     const double target = particles.is_free(v) ? 0.0 : targets[static_cast<std::size_t>(v)];
     if (std::isnan(target)) continue;
     star.gather(particles, v);
-    const Point& p = particles.mesh().point(v);
-    const Metric& m = particles.metric(v);
-    const Vector step = !particles.is_free(v)     ? towards_target(particles, v, target)
-                        : motion == Motion::Force ? force_step(star, p, m)
-                                                  : ideal_apex_step(star, p, m);
-    const bool moved = step != Vector{} && try_move(particles, star, v, step, update);
-    if (update == Update::Later) continue;
-    if (!moved) particles.move(v, p);  // it may have come here in a sweep that did not update
+    const Point from = particles.mesh().point(v);
+    const Vector step =
+        particles.is_free(v) ? free_step(particles, star, v, options) : towards_target(particles, v, target);
+    const bool moved = step != Vector{} && try_move(particles, star, v, step, options.update);
+    particles.set_velocity(v, particles.mesh().point(v) - from);
+    if (options.update == Update::Later) continue;
+    if (!moved) particles.move(v, from);  // it may have come here in a sweep that did not update
     flip_spokes(particles, star, v, stack);
   }
 }

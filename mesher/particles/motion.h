@@ -17,9 +17,19 @@ bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vec
 /// What moves the free particles in a sweep.
 enum class Motion { Force, IdealApex };
 
+/// How a sweep moves free particles.
+struct SweepOptions {
+  Motion motion = Motion::Force;
+  Update update = Update::Now;
+  double momentum = 0.0;       // share of the last move added to the next, beta of 3.13
+  bool only_resolved = false;  // leave alone the particles whose star does not resolve the metric
+};
+
 /// Visits every particle once, in the order of its number: free ones follow the motion, those on
 /// a segment go towards their target parameter there (see boundary.h). An update flips the spokes
 /// that fail the in-circle test 5.13. targets: one per vertex slot, NaN where there is none.
-void sweep(ParticleSystem& particles, Motion motion, std::span<const double> targets, Update update = Update::Now);
+///
+/// Momentum (second-order motion, thesis 3.13) acts only where the metric is resolved.
+void sweep(ParticleSystem& particles, std::span<const double> targets, const SweepOptions& options = {});
 
 }  // namespace parmesan

@@ -11,6 +11,7 @@ ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain
   metric_.resize(n);
   hint_.assign(n, -1);
   binding_.assign(n, free_particle);
+  velocity_.assign(n, {});
   bind_to_segments();
   fix_isolated_points();
   set_level({});
@@ -95,9 +96,11 @@ VertexId ParticleSystem::create_on_edge(EdgeId e, const Point& p) {
     metric_.resize(i + 1);
     hint_.resize(i + 1);
     binding_.resize(i + 1);
+    velocity_.resize(i + 1);
   }
   hint_[i] = hint;
   binding_[i] = binding;
+  velocity_[i] = {};
   metric_[i] = evaluate(p, hint_[i]);
   return v;
 }

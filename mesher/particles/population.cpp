@@ -15,9 +15,6 @@ namespace parmesan {
 namespace {
 
 constexpr double min_quality_after = 0.1;  // of the triangles that a collapse stretches
-constexpr double long_edge = 1.2;
-constexpr double short_edge = 0.5 * long_edge;  // creation never makes what annihilation takes away
-constexpr double area_slack = 0.05;             // of both rules, for the same reason
 
 double triangle_area(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
@@ -34,12 +31,12 @@ double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
                                 particles.metric(mesh.dest(e)));
 }
 
-bool is_too_long(const ParticleSystem& particles, EdgeId e) {
-  constexpr double max_area = (1.0 + area_slack) * (3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0);
+bool is_too_long(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
+  constexpr double max_area = 3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0;
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
-  if (squared_edge_length(particles, e) <= long_edge * long_edge) return false;
-  return triangle_area(particles, e) + triangle_area(particles, sym(e)) > max_area;
+  if (squared_edge_length(particles, e) <= rules.long_edge * rules.long_edge) return false;
+  return triangle_area(particles, e) + triangle_area(particles, sym(e)) > (1.0 + rules.area_slack) * max_area;
 }
 
 // The four triangles that a particle in the middle of e would make.
@@ -64,12 +61,12 @@ struct LongEdge {
   VertexId dest;
 };
 
-std::vector<LongEdge> long_edges(const ParticleSystem& particles) {
+std::vector<LongEdge> long_edges(const ParticleSystem& particles, const PopulationRules& rules) {
   const Triangulation& mesh = particles.mesh();
   std::vector<LongEdge> found;
   for (std::int32_t q = 0; q < mesh.size(); ++q) {
     const EdgeId e{4 * q};
-    if (!mesh.is_alive(q) || !is_too_long(particles, e)) continue;
+    if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) continue;
     found.push_back({squared_edge_length(particles, e), e, mesh.org(e), mesh.dest(e)});
   }
   std::sort(found.begin(), found.end(), [](const LongEdge& a, const LongEdge& b) {
@@ -80,15 +77,15 @@ std::vector<LongEdge> long_edges(const ParticleSystem& particles) {
 
 }  // namespace
 
-int create_particles(ParticleSystem& particles, std::int64_t max_vertices) {
+int create_particles(ParticleSystem& particles, const PopulationRules& rules, std::int64_t max_vertices) {
   constexpr double min_quality_of_halves = 0.01;
   Triangulation& mesh = particles.mesh();
   std::vector<EdgeId> stack;
   int created = 0;
-  for (const LongEdge& found : long_edges(particles)) {
+  for (const LongEdge& found : long_edges(particles, rules)) {
     const EdgeId e = found.edge;
     const bool unchanged = mesh.org(e) == found.org && mesh.dest(e) == found.dest;
-    if (!unchanged || !is_too_long(particles, e)) continue;
+    if (!unchanged || !is_too_long(particles, e, rules)) continue;
     const Point p = midpoint(mesh.point(found.org), mesh.point(found.dest));
     if (quality_of_halves(particles, e, p) < min_quality_of_halves) continue;
     if (mesh.num_vertices() >= max_vertices)
@@ -119,8 +116,9 @@ bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
 
 namespace {
 
-bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId v) {
-  constexpr double min_area = 1.0 - area_slack;
+bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId v, const PopulationRules& rules) {
+  const double min_area = 1.0 - rules.area_slack;
+  const double short_edge = rules.short_edge;
   const Point& p = particles.mesh().point(v);
   const Metric& m = particles.metric(v);
   const auto n = static_cast<double>(star.size());
@@ -145,7 +143,7 @@ std::vector<LongEdge> spokes_by_length(const ParticleSystem& particles, VertexId
 
 }  // namespace
 
-int annihilate_particles(ParticleSystem& particles) {
+int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules) {
   constexpr std::size_t max_tries = 3;
   Triangulation& mesh = particles.mesh();
   Star star;
@@ -154,7 +152,7 @@ int annihilate_particles(ParticleSystem& particles) {
   for (VertexId v = 0; v < mesh.num_slots(); ++v) {
     if (!mesh.has_vertex(v) || !particles.is_free(v)) continue;
     star.gather(particles, v);
-    if (!is_superfluous(particles, star, v)) continue;
+    if (!is_superfluous(particles, star, v, rules)) continue;
     const std::vector<LongEdge> spokes = spokes_by_length(particles, v);
     for (std::size_t i = 0; i < std::min(max_tries, spokes.size()); ++i) {
       if (star.quality_after_collapse(spokes[i].edge) < min_quality_after) continue;
@@ -166,6 +164,31 @@ int annihilate_particles(ParticleSystem& particles) {
     }
   }
   return annihilated;
+}
+
+double population_demand(const ParticleSystem& particles, const PopulationRules& rules) {
+  const Triangulation& mesh = particles.mesh();
+  std::vector<bool> resolved(static_cast<std::size_t>(mesh.num_slots()), false);
+  Star star;
+  double demand = 0.0;
+  for (VertexId v = 0; v < mesh.num_slots(); ++v) {
+    if (!mesh.has_vertex(v)) continue;
+    star.gather(particles, v);
+    resolved[static_cast<std::size_t>(v)] = star.is_resolved(mesh.point(v), particles.metric(v));
+    if (!particles.is_free(v) || !resolved[static_cast<std::size_t>(v)]) continue;
+    if (is_superfluous(particles, star, v, rules)) demand += 1.0;
+  }
+  for (std::int32_t q = 0; q < mesh.size(); ++q) {
+    const EdgeId e{4 * q};
+    if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) continue;
+    const auto is_resolved_at = [&](VertexId v) { return resolved[static_cast<std::size_t>(v)]; };
+    if (is_too_long(particles, e, outlier_rules)) {
+      demand += squared_edge_length(particles, e);
+    } else if (is_resolved_at(mesh.org(e)) && is_resolved_at(mesh.dest(e))) {
+      demand += 1.0;
+    }
+  }
+  return demand / mesh.num_vertices();
 }
 
 }  // namespace parmesan

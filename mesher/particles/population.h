@@ -4,15 +4,30 @@
 
 namespace parmesan {
 
-/// Creates particles in the middle of free edges that are longer than 1.2 and whose two triangles
-/// satisfy the rule of 3.4.2 with virtual triangles, A1 + A2 > 3/sqrt2 - sqrt3/2, by 5 %; longest first.
-/// Legalizes around each. Returns how many were created. Errors: LimitError beyond max_vertices.
-int create_particles(ParticleSystem& particles, std::int64_t max_vertices);
+/// When particles come and go: the area rules of thesis 3.4.2, met by a margin, and limits on lengths.
+struct PopulationRules {
+  double long_edge = 1.2;    // shorter ones are not split
+  double short_edge = 0.6;   // half of it: creation never makes what annihilation takes away
+  double area_slack = 0.05;  // margin of both area rules, for the same reason
+};
+
+/// What no relaxation mends: for particles that are otherwise in place.
+inline constexpr PopulationRules outlier_rules{.long_edge = 1.6, .short_edge = 0.5, .area_slack = 0.3};
+
+/// Creates particles in the middle of free edges that are too long and whose two triangles satisfy
+/// the rule of 3.4.2 with virtual triangles, A1 + A2 > 3/sqrt2 - sqrt3/2; longest first. Legalizes
+/// around each. Returns how many were created. Errors: LimitError beyond max_vertices.
+int create_particles(ParticleSystem& particles, const PopulationRules& rules, std::int64_t max_vertices);
 
 /// Annihilates free particles that satisfy the rule of 3.4.2, A(star) < sqrt(3 n (n - 2)) / 4 for n
-/// triangles, by 5 %, or have a neighbour nearer than 0.6, by collapse into the nearest neighbour that
+/// triangles, or have a neighbour that is too near, by collapse into the nearest neighbour that
 /// leaves a valid star. Legalizes around each. Returns how many were annihilated.
-int annihilate_particles(ParticleSystem& particles);
+int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules);
+
+/// How many particles, relative to their number, the rules would create and annihilate. Counted are
+/// places where the metric is resolved (Star::is_resolved) and outliers anywhere: what the rules
+/// find elsewhere is as much an accident of where the metric was sampled.
+double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
 /// Collapses one end of e into the other if that leaves valid triangles; a fixed particle stays, a
 /// bound one goes only along its own segment. Returns whether it did.

@@ -82,6 +82,16 @@ double Star::quality_after_collapse(EdgeId e) const {
   return std::isinf(smallest) ? -1.0 : quality_from_square(smallest);
 }
 
+bool Star::is_resolved(const Point& p, const Metric& m) const {
+  constexpr double most = 1.5 * 1.5;  // ratio of squared lengths
+  for (const Spoke& spoke : spokes_) {
+    const double here = m.squared_length(spoke.point - p);
+    const double there = spoke.metric.squared_length(spoke.point - p);
+    if (here > most * there || there > most * here) return false;
+  }
+  return true;
+}
+
 double Star::metric_area(const Point& p, const Metric& m) const {
   double area = 0.0;
   for (std::size_t i = 0; i < spokes_.size(); ++i) {

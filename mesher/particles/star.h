@@ -38,6 +38,11 @@ class Star {
   /// the end of the spoke e. Negative when none stays.
   double quality_after_collapse(EdgeId e) const;
 
+  /// Do the neighbours' metrics agree with m: is no spoke longer by half as seen from one end than as
+  /// seen from the other? Elsewhere a mesh is too coarse for the metric, and what it says between
+  /// the vertices of a background mesh may be far from the truth.
+  bool is_resolved(const Point& p, const Metric& m) const;
+
   /// Area of the star in the metric (thesis 5.10), for the annihilation rule 3.4.2.
   double metric_area(const Point& p, const Metric& m) const;
 

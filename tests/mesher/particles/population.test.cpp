@@ -34,8 +34,8 @@ TEST_CASE("creation and annihilation lead to the density of the metric from eith
   const int n = GENERATE(12, 45);  // too coarse, too fine
   ParticleSystem particles = grid_particles(n, domain, field);
   for (int pass = 0; pass < 20; ++pass) {
-    create_particles(particles, 100000);
-    annihilate_particles(particles);
+    create_particles(particles, {}, 100000);
+    annihilate_particles(particles, {});
     flip_all(particles);
   }
   CHECK(check(particles.mesh()).empty());
@@ -53,17 +53,47 @@ TEST_CASE("the rules hardly touch a relaxed mesh, so that rounds settle", "[mesh
   const Domain domain = support::unit_square();
   const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.06 * p.x, 0.08, 0.5); });
   ParticleSystem particles = grid_particles(20, domain, field);
+  run_fast_schedule(particles, {});  // from far off
   run_fast_schedule(particles, {});
   const int n = particles.mesh().num_vertices();
-  CHECK(create_particles(particles, 100000) < n / 50);
-  CHECK(annihilate_particles(particles) < n / 50);
+  CHECK(create_particles(particles, {}, 100000) < n / 50);
+  CHECK(annihilate_particles(particles, {}) < n / 50);
+}
+
+TEST_CASE("a relaxed mesh demands few particles, a coarse one about those that it lacks", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.06 * p.x, 0.08, 0.5); });
+  ParticleSystem particles = grid_particles(20, domain, field);
+  CHECK(population_demand(particles, {}) > 0.1);
+  run_fast_schedule(particles, {});  // from far off
+  run_fast_schedule(particles, {});
+  CHECK(population_demand(particles, {}) < 0.02);
+
+  // Sizes halved: every edge has length 2 and is an outlier that counts 4; there are three to a particle.
+  const ConstantField coarse(Metric::isotropic(0.1));
+  ParticleSystem grid = grid_particles(20, domain, coarse);
+  run_fast_schedule(grid, {});
+  grid.set_level({.scale = 4.0});
+  CHECK(population_demand(grid, {}) == Approx(12.0).epsilon(0.2));
+}
+
+TEST_CASE("a thin layer that the mesh has not seen is demanded, though it is resolved nowhere", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  const CallableField layer(
+      [](const Point& p) { return Metric::from_sizes(std::abs(p.x - 0.5) < 0.02 ? 0.005 : 0.05, 0.05, 0.0); });
+  const ConstantField before(Metric::isotropic(0.05));
+  ParticleSystem relaxed = grid_particles(20, domain, before);
+  run_fast_schedule(relaxed, {});
+  CHECK(population_demand(relaxed, {}) < 0.02);
+  const ParticleSystem particles(relaxed.mesh(), domain, layer);
+  CHECK(population_demand(particles, {}) > 0.1);
 }
 
 TEST_CASE("the limit on vertices is kept", "[mesher][particles][errors]") {
   const Domain domain = support::unit_square();
   const ConstantField field(Metric::isotropic(0.01));
   ParticleSystem particles = grid_particles(10, domain, field);
-  CHECK_THROWS_AS(create_particles(particles, 150), LimitError);
+  CHECK_THROWS_AS(create_particles(particles, {}, 150), LimitError);
   CHECK(particles.mesh().num_vertices() <= 150);
   CHECK(check(particles.mesh()).empty());
 }
