@@ -9,8 +9,10 @@ namespace {
 
 constexpr double same_size = 1.25;  // sizes within this factor count as one rung of the ladder
 constexpr double max_growth = 4.0;
-constexpr double margin = 0.02;         // on a predicted size, doubled after each pass that missed by a little
-constexpr double careful_growth = 1.5;  // a prediction beyond is approached from below
+constexpr double careful_max_growth = 2.0;
+constexpr double resolving_order = 1.5;  // an error that falls faster says that meshes only begin to resolve
+constexpr double margin = 0.02;          // on a predicted size, doubled after each pass that missed by a little
+constexpr double careful_growth = 1.5;   // a prediction beyond is approached from below
 constexpr double careful_share = 0.75;
 constexpr double still_falling = 1.5;
 constexpr double settled_gain = 1.05;
@@ -61,6 +63,20 @@ int near_misses(std::span<const SizeStep> history) {
       std::count_if(rung.begin(), rung.end(), [](const SizeStep& s) { return s.adapted && s.error <= same_size; }));
 }
 
+// Between the last passes at the last two sizes; 1 when there is only one size.
+double order_seen(std::span<const SizeStep> history) {
+  const std::size_t first = rung_start(history);
+  if (first == 0) return 1.0;
+  const SizeStep& before = history[first - 1];
+  const SizeStep& now = history.back();
+  if (!before.adapted || now.vertices <= before.vertices) return 1.0;
+  return std::log(before.error / now.error) / std::log(now.vertices / before.vertices);
+}
+
+double largest_growth(std::span<const SizeStep> history) {
+  return order_seen(history) > resolving_order ? careful_max_growth : max_growth;
+}
+
 double wanted_size(std::span<const SizeStep> history, const SizeGoal& goal) {
   const SizeStep& last = history.back();
   if (goal.error_targets) {
@@ -79,14 +95,7 @@ double predicted_vertices(double vertices, double error, double target, double o
   return vertices * std::pow(error / target, 1.0 / order);
 }
 
-double observed_order(std::span<const SizeStep> history) {
-  const std::size_t first = rung_start(history);
-  if (first == 0) return 1.0;
-  const SizeStep& before = history[first - 1];
-  const SizeStep& now = history.back();
-  if (!before.adapted || now.vertices <= before.vertices) return 1.0;
-  return std::clamp(std::log(before.error / now.error) / std::log(now.vertices / before.vertices), 0.4, 1.1);
-}
+double observed_order(std::span<const SizeStep> history) { return std::clamp(order_seen(history), 0.4, 1.1); }
 
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) {
   const SizeStep& last = history.back();
@@ -101,7 +110,7 @@ SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) 
   if (at_cap) return {last.asked, StopReason::VertexBudget};
   if (aimless) return {last.asked, StopReason::Unchanged};
   if (stagnated(history)) return {last.asked, StopReason::Stagnated};
-  return {std::clamp(wanted, last.asked, max_growth * last.asked), std::nullopt};
+  return {std::clamp(wanted, last.asked, largest_growth(history) * last.asked), std::nullopt};
 }
 
 }  // namespace parmesan

@@ -46,6 +46,16 @@ TEST_CASE("next_size repeats a size at which the error falls much faster than th
   CHECK(next_size(history, to_error).asked > 1600);
 }
 
+TEST_CASE("next_size at most doubles a size whose error fell faster than meshes that resolve can", "[adapt][sizing]") {
+  const std::vector<SizeStep> coarse{{400, 400, 900}, {400, 400, 900}, {400, 400, 900}};
+  std::vector<SizeStep> history = coarse;
+  history.insert(history.end(), {{1600, 1600, 40}, {1600, 1600, 36}});  // 225 was to be expected
+  CHECK(next_size(history, to_error).asked == 3200);
+  history = coarse;
+  history.insert(history.end(), {{1600, 1600, 225}, {1600, 1600, 225}});
+  CHECK(next_size(history, to_error).asked == 6400);
+}
+
 TEST_CASE("next_size repeats a size at which the mesh has not yet found the layer", "[adapt][sizing]") {
   const std::vector<SizeStep> settled{{400, 400, 30, true}, {400, 400, 20, true}, {400, 400, 19, true}};
   std::vector<SizeStep> history = settled;
