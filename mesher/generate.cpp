@@ -34,10 +34,12 @@ std::vector<int> segment_labels(const Domain& domain) {
 }
 
 void check_size(double complexity, std::int64_t max_vertices) {
-  if (!(expected_vertices(complexity) <= static_cast<double>(max_vertices))) {
-    throw LimitError("the metric asks for about " + std::to_string(std::llround(expected_vertices(complexity))) +
-                     " vertices; the limit is " + std::to_string(max_vertices));
-  }
+  const double expected = expected_vertices(complexity);
+  if (expected <= static_cast<double>(max_vertices)) return;
+  const bool is_countable = expected < 1e18;
+  throw LimitError("the metric asks for " +
+                   (is_countable ? "about " + std::to_string(std::llround(expected)) : "more than 10^18") +
+                   " vertices; the limit is " + std::to_string(max_vertices));
 }
 
 /// A mesh, its edges labelled with segments, and what its particles feel.
@@ -62,8 +64,10 @@ Mesh in_local_order(Mesh mesh) {
 
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
+// Without momentum: it pays when a later remesh settles what it has stirred up.
 Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double complexity,
-                       const FastScheduleOptions& effort) {
+                       FastScheduleOptions effort) {
+  effort.momentum = 0.0;
   const int levels = std::max(
       0, static_cast<int>(std::lround(std::log(expected_vertices(complexity) / coarsest_vertices) / std::log(4.0))));
   const FastScheduleOptions coarse_effort{.rounds = 2,
@@ -71,6 +75,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
                                           .final_force_sweeps = 0,
                                           .final_apex_sweeps = 0,
                                           .repairs = 0,
+                                          .momentum = 0.0,
                                           .max_vertices = effort.max_vertices};
   Relaxed relaxed{outline, {}};
   for (int level = levels; level >= 0; --level) {

@@ -18,6 +18,7 @@ struct Integrator {
     constexpr int first_cuts = 3;
     constexpr int max_depth = 16;
     constexpr double tolerance = 0.02;
+    constexpr double beyond_any_limit = 1e15;  // also infinity, which never settles
     const Point ab = midpoint(a, b);
     const Point bc = midpoint(b, c);
     const Point ca = midpoint(c, a);
@@ -27,6 +28,7 @@ struct Integrator {
     const double middle = midpoint_rule(ab, bc, ca);
     const double fine = corner_a + corner_b + corner_c + middle;
     const bool settled = std::abs(fine - coarse) <= tolerance * fine || fine < 1.0;
+    if (fine > beyond_any_limit) return fine;
     if (depth >= max_depth || (depth >= first_cuts && settled)) return fine;
     return integrate(a, ab, ca, corner_a, depth + 1) + integrate(ab, b, bc, corner_b, depth + 1) +
            integrate(ca, bc, c, corner_c, depth + 1) + integrate(ab, bc, ca, middle, depth + 1);

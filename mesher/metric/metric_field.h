@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -35,14 +36,21 @@ class ConstantField final : public MetricField {
   Metric metric_;
 };
 
-/// A metric given by a function of the point.
+/// A metric given by a function of the point. Errors: at throws InputError with the place where the
+/// function gives no finite positive density, whether by itself or because the sizes are out of range.
 class CallableField final : public MetricField {
  public:
   explicit CallableField(std::function<Metric(const Point&)> function) : function_(std::move(function)) {}
   using MetricField::at;
-  Metric at(const Point& p, MetricHint&) const override { return function_(p); }
+  Metric at(const Point& p, MetricHint&) const override {
+    const Metric m = function_(p);
+    if (!(m.density() > 0.0) || !std::isfinite(m.density())) throw_out_of_range(p);
+    return m;
+  }
 
  private:
+  [[noreturn]] static void throw_out_of_range(const Point& p);
+
   std::function<Metric(const Point&)> function_;
 };
 

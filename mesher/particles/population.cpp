@@ -75,6 +75,14 @@ std::vector<LongEdge> long_edges(const ParticleSystem& particles, const Populati
   return found;
 }
 
+// May v merge into the neighbour at the end of e? Where all is worse than the limit, a collapse that
+// makes nothing worse is the way out.
+bool can_collapse(const ParticleSystem& particles, const Star& star, VertexId v, EdgeId e) {
+  const double after = star.quality_after_collapse(e);
+  if (after >= min_quality_after) return true;
+  return after > 0.0 && after >= star.min_quality(particles.mesh().point(v), particles.metric(v));
+}
+
 }  // namespace
 
 int create_particles(ParticleSystem& particles, const PopulationRules& rules, std::int64_t max_vertices) {
@@ -107,7 +115,7 @@ bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
     const bool may_go = binding == free_particle || (binding >= 0 && mesh.segment(side) == binding);
     if (!may_go) continue;
     star.gather(particles, v);
-    if (star.quality_after_collapse(side) < min_quality_after) continue;
+    if (!can_collapse(particles, star, v, side)) continue;
     mesh.collapse(side);
     return true;
   }
@@ -155,7 +163,7 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
     if (!is_superfluous(particles, star, v, rules)) continue;
     const std::vector<LongEdge> spokes = spokes_by_length(particles, v);
     for (std::size_t i = 0; i < std::min(max_tries, spokes.size()); ++i) {
-      if (star.quality_after_collapse(spokes[i].edge) < min_quality_after) continue;
+      if (!can_collapse(particles, star, v, spokes[i].edge)) continue;
       mesh.collapse(spokes[i].edge);
       for_each_spoke(mesh, spokes[i].dest, [&](EdgeId e) { stack.push_back(e); });
       legalize(particles, stack, 100);

@@ -167,3 +167,31 @@ TEST_CASE("a tensor that is not positive definite is refused wherever the mesher
       [=](const Point& p) { return p.y > 0.7 ? Metric::from_tensor(bad) : Metric::isotropic(0.1); });
   CHECK_THROWS_AS(generate(support::unit_square(), field), InputError);
 }
+
+TEST_CASE("a metric that is not finite somewhere is refused with the place, one beyond all sizes by the limit",
+          "[mesher][generate][errors]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const CallableField half([nan](const Point& p) {
+    return p.x < 0.5 ? Metric::isotropic(0.1) : Metric::from_log({nan, 0.0, 0.0});
+  });
+  CHECK_THROWS_AS(generate(support::unit_square(), half), InputError);
+  const CallableField tiny([](const Point&) { return Metric::isotropic(1e-60); });
+  CHECK_THROWS_AS(generate(support::unit_square(), tiny), LimitError);
+  const CallableField huge([](const Point&) { return Metric::isotropic(1e100); });
+  CHECK_THROWS_AS(generate(support::unit_square(), huge), InputError);  // its determinant underflows
+}
+
+TEST_CASE("particles go though every star is far from the metric", "[mesher][generate]") {
+  // The band of height 5e-7 is seen by chance: whatever is made for it must go when the next mesh misses it.
+  const auto band = [](const Point& p) { return Metric::from_sizes(0.5, 5e-7 + 0.2 * std::abs(p.y - 0.5), 0.0); };
+  Mesh mesh = generate(support::unit_square(), ConstantField(Metric::isotropic(0.1))).mesh;
+  int most = 0;
+  for (int i = 0; i < 4; ++i) {
+    std::vector<Metric> metrics;
+    for (const Point& p : mesh.points) metrics.push_back(band(p));
+    mesh = generate(support::unit_square(), BackgroundMesh(mesh, metrics), {}, &mesh).mesh;
+    most = std::max(most, mesh.num_vertices());
+  }
+  CAPTURE(most);
+  CHECK(mesh.num_vertices() < 5000);
+}

@@ -1,0 +1,15 @@
+#include "mesher/metric/metric_field.h"
+
+#include <sstream>
+
+#include "mesher/errors.h"
+
+namespace parmesan {
+
+void CallableField::throw_out_of_range(const Point& p) {
+  std::ostringstream message;
+  message << "the metric at (" << p.x << ", " << p.y << ") is not finite and positive definite in double precision";
+  throw InputError(message.str());
+}
+
+}  // namespace parmesan
