@@ -77,9 +77,7 @@ void FastSchedule::run() {
       relax(options_.sweeps_per_round, {.momentum = momentum});
     }
   }
-  const int first_sweeps = settled ? options_.final_force_sweeps / 2 : 0;
-  relax(first_sweeps, {.only_resolved = true});
-  relax(options_.final_force_sweeps - first_sweeps, {.momentum = momentum});
+  relax(options_.final_force_sweeps, {.momentum = momentum, .only_resolved = settled});
   relax(options_.final_apex_sweeps, {.motion = Motion::IdealApex, .momentum = momentum});
   for (int i = 0; i < options_.repairs; ++i) repair_places(particles_);
 }
