@@ -26,6 +26,7 @@ class FastSchedule {
   ParticleSystem& particles_;
   const FastScheduleOptions& options_;
   Boundary boundary_;
+  int sweeps_done_ = 0;
 };
 
 bool FastSchedule::is_settled() const {
@@ -57,9 +58,10 @@ void FastSchedule::mend_population() {
 // Metrics and connectivity are brought up to date in every second sweep, counted from the last.
 void FastSchedule::relax(int sweeps, SweepOptions sweep_options) {
   const std::vector<double> targets = boundary_.targets(particles_);
+  const Blocks blocks(particles_);
   for (int left = sweeps - 1; left >= 0; --left) {
     sweep_options.update = left % 2 == 0 ? Update::Now : Update::Later;
-    sweep(particles_, targets, sweep_options);
+    sweep(particles_, blocks, sweeps_done_++, targets, sweep_options);
   }
 }
 

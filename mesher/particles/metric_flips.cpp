@@ -4,6 +4,8 @@
 
 #include "mesher/geometry/predicates.h"
 #include "mesher/metric/metric_length.h"
+#include "mesher/parallel.h"
+#include "mesher/particles/blocks.h"
 
 namespace parmesan {
 namespace {
@@ -44,13 +46,25 @@ bool wants_flip(const ParticleSystem& particles, EdgeId e) {
   return fails_in_circle(a, b, c, d, m.tensor()) && is_flip_valid(a, b, c, d, m);
 }
 
-long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap) {
+namespace {
+
+bool contains_quadrilateral(const Territory& territory, const ParticleSystem& particles, EdgeId e) {
+  const Triangulation& mesh = particles.mesh();
+  const auto contains = [&](VertexId v) { return territory.contains(particles, v); };
+  return contains(mesh.org(e)) && contains(mesh.dest(e)) && contains(mesh.dest(mesh.onext(e))) &&
+         contains(mesh.dest(mesh.oprev(e)));
+}
+
+}  // namespace
+
+long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap, const Territory& territory) {
   Triangulation& mesh = particles.mesh();
   long flips = 0;
   while (!stack.empty()) {
     const EdgeId e = stack.back();
     stack.pop_back();
-    if (flips >= cap || !mesh.is_alive(undirected(e)) || !wants_flip(particles, e)) continue;
+    if (flips >= cap || !mesh.is_alive(undirected(e))) continue;
+    if (!contains_quadrilateral(territory, particles, e) || !wants_flip(particles, e)) continue;
     mesh.flip(e);
     ++flips;
     for (const EdgeId side : {mesh.onext(e), mesh.oprev(e), mesh.onext(sym(e)), mesh.oprev(sym(e))})
@@ -59,15 +73,54 @@ long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap) {
   return flips;
 }
 
-long flip_all(ParticleSystem& particles) {
-  const Triangulation& mesh = particles.mesh();
-  const long cap = 3L * mesh.size();
-  std::vector<EdgeId> stack;
+namespace {
+
+constexpr long flips_per_edge = 3;
+
+/// What flipping in a block has left to do.
+struct Remainder {
+  std::vector<EdgeId> edges;  // whose quadrilaterals leave the block
   long flips = 0;
-  for (std::int32_t q = 0; q < mesh.size(); ++q) {
-    if (!mesh.is_alive(q)) continue;
-    stack.push_back({4 * q});
-    flips += legalize(particles, stack, cap - flips);
+};
+
+// An edge is met at the end that its even number belongs to.
+Remainder flip_block(ParticleSystem& particles, const Block& block) {
+  Remainder remainder;
+  std::vector<EdgeId> edges;
+  std::vector<EdgeId> stack;
+  for (const VertexId v : block.particles) {
+    edges.clear();
+    for_each_spoke(particles.mesh(), v, [&](EdgeId e) {
+      if ((e.index & 2) == 0) edges.push_back(e);
+    });
+    for (const EdgeId e : edges) {
+      if (!contains_quadrilateral(block.territory, particles, e)) {
+        remainder.edges.push_back(e);
+        continue;
+      }
+      stack.push_back(e);
+      const long cap = flips_per_edge * 3 * static_cast<long>(block.particles.size());
+      remainder.flips += legalize(particles, stack, cap - remainder.flips, block.territory);
+    }
+  }
+  return remainder;
+}
+
+}  // namespace
+
+long flip_all(ParticleSystem& particles) {
+  const Blocks order(particles);
+  const std::vector<Block> blocks = order.cut(0);
+  std::vector<Remainder> remainders(blocks.size());
+  parallel_for(static_cast<int>(blocks.size()), [&](int i) {
+    remainders[static_cast<std::size_t>(i)] = flip_block(particles, blocks[static_cast<std::size_t>(i)]);
+  });
+  long flips = 0;
+  long cap = flips_per_edge * particles.mesh().size();
+  for (Remainder& r : remainders) {
+    const long after = legalize(particles, r.edges, cap);
+    flips += r.flips + after;
+    cap -= after;
   }
   return flips;
 }

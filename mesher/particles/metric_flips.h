@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/particles/particle_system.h"
+#include "mesher/particles/territory.h"
 
 namespace parmesan {
 
@@ -16,10 +16,11 @@ bool fails_in_circle(const Point& a, const Point& b, const Point& c, const Point
 bool wants_flip(const ParticleSystem& particles, EdgeId e);
 
 /// Flips the edges on the stack, and those that come to want it, until none does or the number
-/// of flips reaches the cap. Empties the stack. Returns the number of flips.
-long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap);
+/// of flips reaches the cap. Edges whose quadrilateral leaves the territory stay. Empties the stack.
+/// Returns the number of flips.
+long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap, const Territory& territory = {});
 
-/// Legalizes every edge. Cost: O(n). Returns the number of flips.
+/// Legalizes every edge. Cost: O(n), on all threads. Returns the number of flips.
 long flip_all(ParticleSystem& particles);
 
 }  // namespace parmesan

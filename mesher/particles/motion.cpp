@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mesher/parallel.h"
 #include "mesher/particles/forces.h"
 #include "mesher/particles/metric_flips.h"
 
@@ -42,22 +43,6 @@ Vector towards_target(const ParticleSystem& particles, VertexId v, double target
   return lerp(a, b, target) - particles.mesh().point(v);
 }
 
-// Flips the spokes that fail the in-circle test with v where it is now. A spoke and its reverse are
-// tested once per sweep, at the end that the even number of its edge belongs to.
-void flip_spokes(ParticleSystem& particles, const Star& star, VertexId v, std::vector<EdgeId>& stack) {
-  const Point& p = particles.mesh().point(v);
-  const SymmetricTensor& m = particles.metric(v).tensor();
-  for (std::size_t i = 0; i < star.size(); ++i) {
-    const Star::Spoke& s = star.spoke(i);
-    const Star::Spoke& left = star.next(i);
-    const Star::Spoke& right = star.previous(i);
-    if ((s.edge.index & 2) != 0 || !s.has_triangle || !right.has_triangle) continue;
-    const SymmetricTensor sum = m + s.metric.tensor() + left.metric.tensor() + right.metric.tensor();
-    if (fails_in_circle(p, s.point, left.point, right.point, sum)) stack.push_back(s.edge);
-  }
-  if (!stack.empty()) legalize(particles, stack, 100);
-}
-
 Vector shortened(const Vector& step, const Metric& m) {
   constexpr double longest = 0.5;
   const double length = m.length(step);
@@ -76,25 +61,74 @@ Vector free_step(const ParticleSystem& particles, const Star& star, VertexId v, 
   return shortened(step + options.momentum * particles.velocity(v), m);
 }
 
+// Visits particles in one territory.
+class Visitor {
+ public:
+  Visitor(ParticleSystem& particles, std::span<const double> targets, const SweepOptions& options,
+          const Territory& territory)
+      : particles_(particles), targets_(targets), options_(options), territory_(territory) {}
+
+  /// Returns false when v has a neighbour outside of the territory; nothing has happened then.
+  bool visit(VertexId v);
+
+ private:
+  void flip_spokes(VertexId v);
+
+  ParticleSystem& particles_;
+  std::span<const double> targets_;
+  const SweepOptions& options_;
+  const Territory territory_;
+  Star star_;
+  std::vector<EdgeId> stack_;
+};
+
+bool Visitor::visit(VertexId v) {
+  if (particles_.binding(v) == fixed_particle) return true;
+  const bool is_free = particles_.is_free(v);
+  const double target = is_free ? 0.0 : targets_[static_cast<std::size_t>(v)];
+  if (std::isnan(target)) return true;
+  if (!star_.gather_within(territory_, particles_, v)) return false;
+  const Point from = particles_.mesh().point(v);
+  const Vector step = is_free ? free_step(particles_, star_, v, options_) : towards_target(particles_, v, target);
+  const bool moved = step != Vector{} && try_move(particles_, star_, v, step, options_.update);
+  particles_.set_velocity(v, particles_.mesh().point(v) - from);
+  if (options_.update == Update::Later) return true;
+  if (!moved) particles_.move(v, from);  // it may have come here in a sweep that did not update
+  flip_spokes(v);
+  return true;
+}
+
+// Flips the spokes that fail the in-circle test with v where it is now. A spoke and its reverse are
+// tested once per sweep, at the end that the even number of its edge belongs to.
+void Visitor::flip_spokes(VertexId v) {
+  const Point& p = particles_.mesh().point(v);
+  const SymmetricTensor& m = particles_.metric(v).tensor();
+  for (std::size_t i = 0; i < star_.size(); ++i) {
+    const Star::Spoke& s = star_.spoke(i);
+    const Star::Spoke& left = star_.next(i);
+    const Star::Spoke& right = star_.previous(i);
+    if ((s.edge.index & 2) != 0 || !s.has_triangle || !right.has_triangle) continue;
+    const SymmetricTensor sum = m + s.metric.tensor() + left.metric.tensor() + right.metric.tensor();
+    if (fails_in_circle(p, s.point, left.point, right.point, sum)) stack_.push_back(s.edge);
+  }
+  if (!stack_.empty()) legalize(particles_, stack_, 100, territory_);
+}
+
 }  // namespace
 
-void sweep(ParticleSystem& particles, std::span<const double> targets, const SweepOptions& options) {
-  Star star;
-  std::vector<EdgeId> stack;
-  for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
-    if (!particles.mesh().has_vertex(v) || particles.binding(v) == fixed_particle) continue;
-    const double target = particles.is_free(v) ? 0.0 : targets[static_cast<std::size_t>(v)];
-    if (std::isnan(target)) continue;
-    star.gather(particles, v);
-    const Point from = particles.mesh().point(v);
-    const Vector step =
-        particles.is_free(v) ? free_step(particles, star, v, options) : towards_target(particles, v, target);
-    const bool moved = step != Vector{} && try_move(particles, star, v, step, options.update);
-    particles.set_velocity(v, particles.mesh().point(v) - from);
-    if (options.update == Update::Later) continue;
-    if (!moved) particles.move(v, from);  // it may have come here in a sweep that did not update
-    flip_spokes(particles, star, v, stack);
-  }
+void sweep(ParticleSystem& particles, const Blocks& blocks, int cut, std::span<const double> targets,
+           const SweepOptions& options) {
+  const std::vector<Block> all = blocks.cut(cut);
+  std::vector<std::vector<VertexId>> left_over(all.size());
+  parallel_for(static_cast<int>(all.size()), [&](int i) {
+    const Block& block = all[static_cast<std::size_t>(i)];
+    Visitor visitor(particles, targets, options, block.territory);
+    for (const VertexId v : block.particles)
+      if (!visitor.visit(v)) left_over[static_cast<std::size_t>(i)].push_back(v);
+  });
+  Visitor everywhere(particles, targets, options, {});
+  for (const auto& of_block : left_over)
+    for (const VertexId v : of_block) everywhere.visit(v);
 }
 
 }  // namespace parmesan

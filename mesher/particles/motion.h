@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "mesher/particles/blocks.h"
 #include "mesher/particles/star.h"
 
 namespace parmesan {
@@ -25,11 +26,12 @@ struct SweepOptions {
   bool only_resolved = false;  // leave alone the particles whose star does not resolve the metric
 };
 
-/// Visits every particle once, in the order of its number: free ones follow the motion, those on
+/// Visits every particle once, block by block of the given cut (see Blocks): free ones follow the motion, those on
 /// a segment go towards their target parameter there (see boundary.h). An update flips the spokes
 /// that fail the in-circle test 5.13. targets: one per vertex slot, NaN where there is none.
 ///
 /// Momentum (second-order motion, thesis 3.13) acts only where the metric is resolved.
-void sweep(ParticleSystem& particles, std::span<const double> targets, const SweepOptions& options = {});
+void sweep(ParticleSystem& particles, const Blocks& blocks, int cut, std::span<const double> targets,
+           const SweepOptions& options = {});
 
 }  // namespace parmesan

@@ -1,7 +1,10 @@
 #include "mesher/particles/particle_system.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
+
+#include "mesher/parallel.h"
 
 namespace parmesan {
 
@@ -12,6 +15,8 @@ ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain
   hint_.assign(n, -1);
   binding_.assign(n, free_particle);
   velocity_.assign(n, {});
+  place_.resize(n);
+  std::iota(place_.begin(), place_.end(), 0);
   bind_to_segments();
   fix_isolated_points();
   set_level({});
@@ -51,24 +56,31 @@ void ParticleSystem::fix_isolated_points() {
   }
 }
 
-// Along edges, as a walk from a neighbour is short.
+// Each particle, then its neighbours in the same range, as a walk from a neighbour is short.
 void ParticleSystem::set_level(const Level& level) {
   level_ = level;
-  std::vector<bool> done(metric_.size(), false);
-  MetricHint last = -1;
-  const auto update = [&](VertexId v) {
-    const auto i = static_cast<std::size_t>(v);
-    if (done[i]) return;
-    done[i] = true;
-    if (hint_[i] < 0) hint_[i] = last;
-    metric_[i] = evaluate(mesh_.point(v), hint_[i]);
-    last = hint_[i];
-  };
-  for (std::int32_t q = 0; q < mesh_.size(); ++q) {
-    if (!mesh_.is_alive(q)) continue;
-    update(mesh_.org({4 * q}));
-    update(mesh_.dest({4 * q}));
-  }
+  const Ranges ranges(metric_.size());
+  std::vector<char> done(metric_.size(), 0);
+  parallel_for(ranges.count(), [&](int range) {
+    MetricHint last = -1;
+    const auto update = [&](std::size_t i) {
+      if (done[i] != 0) return;
+      done[i] = 1;
+      if (hint_[i] < 0) hint_[i] = last;
+      metric_[i] = evaluate(mesh_.point(static_cast<VertexId>(i)), hint_[i]);
+      last = hint_[i];
+    };
+    for (std::size_t i = ranges.first(range); i < ranges.last(range); ++i) {
+      const auto v = static_cast<VertexId>(i);
+      if (!mesh_.has_vertex(v)) continue;
+      update(i);
+      last = hint_[i];
+      for_each_spoke(mesh_, v, [&](EdgeId e) {
+        const auto w = static_cast<std::size_t>(mesh_.dest(e));
+        if (ranges.first(range) <= w && w < ranges.last(range)) update(w);
+      });
+    }
+  });
 }
 
 Metric ParticleSystem::evaluate(const Point& p, MetricHint& hint) const {
@@ -89,6 +101,7 @@ void ParticleSystem::move(VertexId v, const Point& p) {
 
 VertexId ParticleSystem::create_on_edge(EdgeId e, const Point& p) {
   const MetricHint hint = hint_[static_cast<std::size_t>(mesh_.org(e))];
+  const std::int32_t place = place_[static_cast<std::size_t>(mesh_.org(e))];
   const Binding binding = mesh_.is_constrained(e) ? mesh_.segment(e) : free_particle;
   const VertexId v = mesh_.split_edge(e, p);
   const auto i = static_cast<std::size_t>(v);
@@ -97,10 +110,12 @@ VertexId ParticleSystem::create_on_edge(EdgeId e, const Point& p) {
     hint_.resize(i + 1);
     binding_.resize(i + 1);
     velocity_.resize(i + 1);
+    place_.resize(i + 1);
   }
   hint_[i] = hint;
   binding_[i] = binding;
   velocity_[i] = {};
+  place_[i] = place;
   metric_[i] = evaluate(p, hint_[i]);
   return v;
 }

@@ -31,6 +31,10 @@ class ParticleSystem {
   Binding binding(VertexId v) const { return binding_[static_cast<std::size_t>(v)]; }
   bool is_free(VertexId v) const { return binding(v) == free_particle; }
 
+  /// Where v is along the curve that the particles were numbered by at the start. A new particle takes
+  /// the place of a neighbour.
+  std::int32_t place(VertexId v) const { return place_[static_cast<std::size_t>(v)]; }
+
   /// Moves a particle and re-evaluates its metric. The caller has checked the star.
   void move(VertexId v, const Point& p);
 
@@ -68,6 +72,7 @@ class ParticleSystem {
   std::vector<MetricHint> hint_;
   std::vector<Binding> binding_;
   std::vector<Vector> velocity_;
+  std::vector<std::int32_t> place_;
 };
 
 }  // namespace parmesan

@@ -33,6 +33,12 @@ inline double Star::squared_quality(std::size_t i, const Point& p, const Metric&
   return area * area * determinant(s) / (lengths * lengths);
 }
 
+bool Star::gather_within(const Territory& territory, const ParticleSystem& particles, VertexId v) {
+  gather(particles, v);
+  return std::ranges::all_of(
+      spokes_, [&](const Spoke& s) { return territory.contains(particles, particles.mesh().dest(s.edge)); });
+}
+
 namespace {
 
 double quality_from_square(double square) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/particles/particle_system.h"
+#include "mesher/particles/territory.h"
 
 namespace parmesan {
 
@@ -20,6 +20,9 @@ class Star {
   };
 
   void gather(const ParticleSystem& particles, VertexId v);
+
+  /// Gathers v if all its neighbours are in the territory; else returns false, with part of the star.
+  bool gather_within(const Territory& territory, const ParticleSystem& particles, VertexId v);
 
   std::size_t size() const { return spokes_.size(); }
   const Spoke& spoke(std::size_t i) const { return spokes_[i]; }

@@ -48,7 +48,7 @@ TEST_CASE("sweeps never invert a triangle, whatever the metric", "[mesher][parti
   const std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
                                     std::numeric_limits<double>::quiet_NaN());
   for (int i = 0; i < 10; ++i) {
-    sweep(particles, targets, {.motion = motion});
+    sweep(particles, Blocks(particles), 0, targets, {.motion = motion});
     CHECK(check(particles.mesh()).empty());
   }
 }
@@ -59,7 +59,7 @@ TEST_CASE("ideal-apex sweeps lift the worst star of a disordered mesh", "[mesher
   const double before = worst_star(particles);
   const std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
                                     std::numeric_limits<double>::quiet_NaN());
-  for (int i = 0; i < 5; ++i) sweep(particles, targets, {.motion = Motion::IdealApex});
+  for (int i = 0; i < 5; ++i) sweep(particles, Blocks(particles), 0, targets, {.motion = Motion::IdealApex});
   CHECK(worst_star(particles) > before);
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("momentum goes on with a share of the last move, where the metric is r
   const auto moved_by = [&](double momentum) {
     ParticleSystem particles = square.particles();
     particles.set_velocity(centre, {0.02, 0.0});
-    sweep(particles, targets, {.momentum = momentum});
+    sweep(particles, Blocks(particles), 0, targets, {.momentum = momentum});
     return particles.mesh().point(centre) - Point{0.5, 0.5};
   };
   CHECK((moved_by(0.5) - moved_by(0.0)).x == Approx(0.01).margin(0.002));
@@ -87,7 +87,7 @@ TEST_CASE("a sweep of resolved stars leaves the others where they are", "[mesher
   ParticleSystem particles(from_mesh(mesh, segments), domain, field);
   const std::vector<double> targets(25, std::numeric_limits<double>::quiet_NaN());
   Star star;
-  sweep(particles, targets, {.only_resolved = true});
+  sweep(particles, Blocks(particles), 0, targets, {.only_resolved = true});
   int left_alone = 0;
   for (VertexId v = 0; v < 25; ++v) {
     star.gather(particles, v);
@@ -106,7 +106,7 @@ TEST_CASE("fixed particles stay, bound ones go to their target and no further", 
                               std::numeric_limits<double>::quiet_NaN());
   // Vertex 1 lies at (0.25, 0) on the bottom segment, which runs from x = 0 to x = 1.
   targets[1] = 0.3;
-  sweep(particles, targets);
+  sweep(particles, Blocks(particles), 0, targets);
   CHECK(particles.mesh().point(1) == Point{0.3, 0.0});
   CHECK(particles.mesh().point(2) == Point{0.5, 0.0});
   CHECK(particles.mesh().point(0) == Point{0.0, 0.0});

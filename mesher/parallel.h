@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+
+namespace parmesan {
+
+/// Calls f(0) ... f(n - 1) on the threads of OpenMP. The calls must not depend on one another: then
+/// neither the result nor the exception, that of the smallest number that fails, depends on the threads.
+template <class F>
+void parallel_for(int n, F f) {
+  std::exception_ptr failure;
+  int failed = n;
+#pragma omp parallel for schedule(dynamic)
+  for (int i = 0; i < n; ++i) {
+    try {
+      f(i);
+    } catch (...) {
+#pragma omp critical(parmesan_parallel_for)
+      if (i < failed) {
+        failed = i;
+        failure = std::current_exception();
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// Numbers 0 ... size - 1 cut into ranges of a fixed length, so that what is done range by range does
+/// not depend on the number of threads.
+class Ranges {
+ public:
+  explicit Ranges(std::size_t size) : size_(size) {}
+  int count() const { return static_cast<int>((size_ + length - 1) / length); }
+  std::size_t first(int range) const { return static_cast<std::size_t>(range) * length; }
+  std::size_t last(int range) const { return std::min(size_, first(range) + length); }
+
+ private:
+  static constexpr std::size_t length = 16384;
+  std::size_t size_;
+};
+
+}  // namespace parmesan
