@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <vector>
 
 namespace parmesan {
 
@@ -40,5 +41,17 @@ class Ranges {
   static constexpr std::size_t length = 16384;
   std::size_t size_;
 };
+
+/// What f(first, last, found) appends to found for each range, one range after the other.
+template <class T, class F>
+std::vector<T> collect(std::size_t size, F f) {
+  const Ranges ranges(size);
+  std::vector<std::vector<T>> of_range(static_cast<std::size_t>(ranges.count()));
+  parallel_for(ranges.count(),
+               [&](int i) { f(ranges.first(i), ranges.last(i), of_range[static_cast<std::size_t>(i)]); });
+  std::vector<T> all;
+  for (const auto& found : of_range) all.insert(all.end(), found.begin(), found.end());
+  return all;
+}
 
 }  // namespace parmesan

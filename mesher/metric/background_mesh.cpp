@@ -1,6 +1,7 @@
 #include "mesher/metric/background_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "mesher/errors.h"
@@ -39,13 +40,24 @@ void BackgroundMesh::build(const Mesh& mesh, std::span<const Metric> metrics) {
 }
 
 Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const {
-  Location where = locate(p, hint >= 0 && hint < static_cast<int>(triangles_.size()) ? hint : 0);
+  Location where = locate(p, hint >= 0 && hint < static_cast<int>(triangles_.size()) ? hint : near(p));
   if (where.triangle < 0) where = locate_exhaustively(p);
   hint = where.triangle;
   const auto& corners = triangles_[static_cast<std::size_t>(where.triangle)].corners;
   SymmetricTensor value{};
   for (std::size_t k = 0; k < 3; ++k) value = value + where.weights[k] * vertex(corners[k]).value;
   return interpolation_ == MetricInterpolation::LogEuclidean ? Metric::from_log(value) : Metric::from_tensor(value);
+}
+
+// Jump and walk (Muecke, Saias, Zhu, Comput. Geom. 12, 1999): the triangle of the nearest of n^(1/3) samples.
+int BackgroundMesh::near(const Point& p) const {
+  const std::size_t samples = static_cast<std::size_t>(std::cbrt(triangles_.size())) + 1;
+  const std::size_t step = (triangles_.size() - 1) / samples + 1;
+  std::size_t nearest = 0;
+  const auto distance = [&](std::size_t t) { return squared_norm(vertex(triangles_[t].corners[0]).point - p); };
+  for (std::size_t t = step; t < triangles_.size(); t += step)
+    if (distance(t) < distance(nearest)) nearest = t;
+  return static_cast<int>(nearest);
 }
 
 namespace {

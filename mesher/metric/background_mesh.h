@@ -36,6 +36,7 @@ class BackgroundMesh final : public MetricField {
     int triangle = -1;
     std::array<double, 3> weights{};
   };
+  int near(const Point& p) const;
   Location locate(const Point& p, int start) const;
   Location locate_exhaustively(const Point& p) const;
 

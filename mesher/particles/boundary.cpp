@@ -84,14 +84,13 @@ int best_edge_count(double l) {
   return static_cast<int>(l * l > n * (n + 1.0) ? n + 1.0 : n);
 }
 
-SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& segment) {
+SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint) {
   constexpr int first_intervals = 32;
   constexpr double max_length = 0.25;
   constexpr double max_curvature = 0.01;  // of the density, relative to its mean
   constexpr double smallest = 1e-12;
   const Point& a = particles.domain().points[at(segment.a)];
   const Point& b = particles.domain().points[at(segment.b)];
-  MetricHint hint = -1;
   const auto density = [&](double t) { return particles.evaluate(lerp(a, b, t), hint).length(b - a); };
   struct Interval {
     double from, to, density_from, density_to;
@@ -142,13 +141,12 @@ double SegmentMeasure::coordinate_at(double t) const { return interpolate(parame
 double SegmentMeasure::parameter_at(double s) const { return interpolate(coordinates_, parameters_, s); }
 
 Boundary::Boundary(const ParticleSystem& particles) : measures_(particles.domain().segments.size()) {
-  const Triangulation& mesh = particles.mesh();
-  for (std::int32_t q = 0; q < mesh.size(); ++q) {
-    const EdgeId e{4 * q};
-    if (!mesh.is_alive(q) || !mesh.is_constrained(e)) continue;
-    auto& measure = measures_[at(mesh.segment(e))];
-    if (measure.empty()) measure.emplace_back(particles, particles.domain().segments[at(mesh.segment(e))]);
-  }
+  const std::vector<ChainEdge> all = chains(particles);
+  for_each_chain(all, [&](std::size_t, std::size_t last) {
+    const auto& [segment, from, to, edge] = all[last - 1];
+    measures_[at(segment)].emplace_back(particles, particles.domain().segments[at(segment)],
+                                        particles.hint(particles.mesh().dest(edge)));
+  });
 }
 
 void Boundary::match_counts(ParticleSystem& particles) const {

@@ -11,8 +11,9 @@ namespace parmesan {
 class SegmentMeasure {
  public:
   /// Adaptive quadrature of the field at the level of the particles: intervals are halved until
-  /// each is shorter than a quarter of a unit edge and its density nearly linear.
-  SegmentMeasure(const ParticleSystem& particles, const Segment& segment);
+  /// each is shorter than a quarter of a unit edge and its density nearly linear. The first look-up, at
+  /// the last point of the segment, starts at the hint.
+  SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint = -1);
 
   double total() const { return coordinates_.back(); }
   double coordinate_at(double t) const;

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "mesher/geometry/predicates.h"
 #include "mesher/metric/metric_length.h"
+#include "mesher/parallel.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/star.h"
 
@@ -82,14 +84,30 @@ Point best_place_near(const ParticleSystem& particles, const Star& star, VertexI
 
 }  // namespace
 
+namespace {
+
+std::vector<VertexId> particles_to_repair(const ParticleSystem& particles) {
+  const Triangulation& mesh = particles.mesh();
+  const auto size = static_cast<std::size_t>(mesh.num_slots());
+  return collect<VertexId>(size, [&](std::size_t first, std::size_t last, std::vector<VertexId>& found) {
+    Star star;
+    for (auto v = static_cast<VertexId>(first); v < static_cast<VertexId>(last); ++v) {
+      if (!mesh.has_vertex(v) || !particles.is_free(v)) continue;
+      star.gather(particles, v);
+      if (needs_repair(star, mesh.point(v), particles.metric(v))) found.push_back(v);
+    }
+  });
+}
+
+}  // namespace
+
 int repair_places(ParticleSystem& particles) {
   Star star;
   int moved = 0;
-  for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
-    if (!particles.mesh().has_vertex(v) || !particles.is_free(v)) continue;
+  for (const VertexId v : particles_to_repair(particles)) {
     star.gather(particles, v);
     const Point from = particles.mesh().point(v);
-    if (!needs_repair(star, from, particles.metric(v))) continue;
+    if (!needs_repair(star, from, particles.metric(v))) continue;  // since a neighbour moved
     const Point to = best_place_near(particles, star, v);
     if (to == from) continue;
     particles.move(v, to);

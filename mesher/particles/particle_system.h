@@ -45,6 +45,9 @@ class ParticleSystem {
   /// A new particle p in the middle of e (see Triangulation::split_edge); bound if e is constrained.
   VertexId create_on_edge(EdgeId e, const Point& p);
 
+  /// Where a look-up of the metric near v starts well.
+  MetricHint hint(VertexId v) const { return hint_[static_cast<std::size_t>(v)]; }
+
   /// The metric that a particle at p near v would feel.
   Metric metric_near(VertexId v, const Point& p) const;
 

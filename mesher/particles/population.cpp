@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/metric/metric_length.h"
+#include "mesher/parallel.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/star.h"
 
@@ -63,12 +65,14 @@ struct LongEdge {
 
 std::vector<LongEdge> long_edges(const ParticleSystem& particles, const PopulationRules& rules) {
   const Triangulation& mesh = particles.mesh();
-  std::vector<LongEdge> found;
-  for (std::int32_t q = 0; q < mesh.size(); ++q) {
-    const EdgeId e{4 * q};
-    if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) continue;
-    found.push_back({squared_edge_length(particles, e), e, mesh.org(e), mesh.dest(e)});
-  }
+  const auto size = static_cast<std::size_t>(mesh.size());
+  auto found = collect<LongEdge>(size, [&](std::size_t first, std::size_t last, std::vector<LongEdge>& of_range) {
+    for (auto q = static_cast<std::int32_t>(first); q < static_cast<std::int32_t>(last); ++q) {
+      const EdgeId e{4 * q};
+      if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) continue;
+      of_range.push_back({squared_edge_length(particles, e), e, mesh.org(e), mesh.dest(e)});
+    }
+  });
   std::sort(found.begin(), found.end(), [](const LongEdge& a, const LongEdge& b) {
     return a.squared_length != b.squared_length ? a.squared_length > b.squared_length : a.edge.index < b.edge.index;
   });
@@ -137,6 +141,20 @@ bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId 
   return false;
 }
 
+// In the order of their numbers.
+std::vector<VertexId> superfluous_particles(const ParticleSystem& particles, const PopulationRules& rules) {
+  const Triangulation& mesh = particles.mesh();
+  const auto size = static_cast<std::size_t>(mesh.num_slots());
+  return collect<VertexId>(size, [&](std::size_t first, std::size_t last, std::vector<VertexId>& found) {
+    Star star;
+    for (auto v = static_cast<VertexId>(first); v < static_cast<VertexId>(last); ++v) {
+      if (!mesh.has_vertex(v) || !particles.is_free(v)) continue;
+      star.gather(particles, v);
+      if (is_superfluous(particles, star, v, rules)) found.push_back(v);
+    }
+  });
+}
+
 // The spokes of v, the shortest first.
 std::vector<LongEdge> spokes_by_length(const ParticleSystem& particles, VertexId v) {
   std::vector<LongEdge> spokes;
@@ -157,10 +175,9 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
   Star star;
   std::vector<EdgeId> stack;
   int annihilated = 0;
-  for (VertexId v = 0; v < mesh.num_slots(); ++v) {
-    if (!mesh.has_vertex(v) || !particles.is_free(v)) continue;
+  for (const VertexId v : superfluous_particles(particles, rules)) {
     star.gather(particles, v);
-    if (!is_superfluous(particles, star, v, rules)) continue;
+    if (!is_superfluous(particles, star, v, rules)) continue;  // since a neighbour went
     const std::vector<LongEdge> spokes = spokes_by_length(particles, v);
     for (std::size_t i = 0; i < std::min(max_tries, spokes.size()); ++i) {
       if (!can_collapse(particles, star, v, spokes[i].edge)) continue;
@@ -174,29 +191,49 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
   return annihilated;
 }
 
-double population_demand(const ParticleSystem& particles, const PopulationRules& rules) {
+namespace {
+
+// What stars ask for, and in passing where the metric is resolved: one entry per vertex slot.
+double demand_of_stars(const ParticleSystem& particles, const PopulationRules& rules, std::vector<char>& resolved) {
   const Triangulation& mesh = particles.mesh();
-  std::vector<bool> resolved(static_cast<std::size_t>(mesh.num_slots()), false);
-  Star star;
+  resolved.assign(static_cast<std::size_t>(mesh.num_slots()), 0);
+  const auto sums =
+      collect<double>(resolved.size(), [&](std::size_t first, std::size_t last, std::vector<double>& sum) {
+        Star star;
+        double superfluous = 0.0;
+        for (std::size_t i = first; i < last; ++i) {
+          const auto v = static_cast<VertexId>(i);
+          if (!mesh.has_vertex(v)) continue;
+          star.gather(particles, v);
+          if (!star.is_resolved(mesh.point(v), particles.metric(v))) continue;
+          resolved[i] = 1;
+          if (particles.is_free(v) && is_superfluous(particles, star, v, rules)) superfluous += 1.0;
+        }
+        sum.push_back(superfluous);
+      });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double demand_of_edges(const ParticleSystem& particles, const PopulationRules& rules,
+                       const std::vector<char>& resolved) {
+  const auto is_resolved_at = [&](VertexId v) { return resolved[static_cast<std::size_t>(v)] != 0; };
   double demand = 0.0;
-  for (VertexId v = 0; v < mesh.num_slots(); ++v) {
-    if (!mesh.has_vertex(v)) continue;
-    star.gather(particles, v);
-    resolved[static_cast<std::size_t>(v)] = star.is_resolved(mesh.point(v), particles.metric(v));
-    if (!particles.is_free(v) || !resolved[static_cast<std::size_t>(v)]) continue;
-    if (is_superfluous(particles, star, v, rules)) demand += 1.0;
-  }
-  for (std::int32_t q = 0; q < mesh.size(); ++q) {
-    const EdgeId e{4 * q};
-    if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) continue;
-    const auto is_resolved_at = [&](VertexId v) { return resolved[static_cast<std::size_t>(v)]; };
-    if (is_too_long(particles, e, outlier_rules)) {
-      demand += squared_edge_length(particles, e);
-    } else if (is_resolved_at(mesh.org(e)) && is_resolved_at(mesh.dest(e))) {
+  for (const LongEdge& found : long_edges(particles, rules)) {
+    if (is_too_long(particles, found.edge, outlier_rules)) {
+      demand += found.squared_length;
+    } else if (is_resolved_at(found.org) && is_resolved_at(found.dest)) {
       demand += 1.0;
     }
   }
-  return demand / mesh.num_vertices();
+  return demand;
+}
+
+}  // namespace
+
+double population_demand(const ParticleSystem& particles, const PopulationRules& rules) {
+  std::vector<char> resolved;
+  const double of_stars = demand_of_stars(particles, rules, resolved);
+  return (of_stars + demand_of_edges(particles, rules, resolved)) / particles.mesh().num_vertices();
 }
 
 }  // namespace parmesan
