@@ -42,6 +42,14 @@ class Ranges {
   std::size_t size_;
 };
 
+/// All elements, list by list.
+template <class T>
+std::vector<T> joined(const std::vector<std::vector<T>>& lists) {
+  std::vector<T> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
 /// What f(first, last, found) appends to found for each range, one range after the other.
 template <class T, class F>
 std::vector<T> collect(std::size_t size, F f) {
@@ -49,9 +57,7 @@ std::vector<T> collect(std::size_t size, F f) {
   std::vector<std::vector<T>> of_range(static_cast<std::size_t>(ranges.count()));
   parallel_for(ranges.count(),
                [&](int i) { f(ranges.first(i), ranges.last(i), of_range[static_cast<std::size_t>(i)]); });
-  std::vector<T> all;
-  for (const auto& found : of_range) all.insert(all.end(), found.begin(), found.end());
-  return all;
+  return joined(of_range);
 }
 
 }  // namespace parmesan

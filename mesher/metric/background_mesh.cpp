@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesher/errors.h"
+#include "mesher/parallel.h"
 #include "mesher/triangulation/neighbors.h"
 #include "mesher/triangulation/ordering.h"
 
@@ -29,11 +30,13 @@ BackgroundMesh::BackgroundMesh(const Mesh& mesh, std::span<const Metric> metrics
 }
 
 void BackgroundMesh::build(const Mesh& mesh, std::span<const Metric> metrics) {
-  vertices_.reserve(metrics.size());
-  for (std::size_t i = 0; i < metrics.size(); ++i) {
-    const bool logarithms = interpolation_ == MetricInterpolation::LogEuclidean;
-    vertices_.push_back({mesh.points[i], logarithms ? metrics[i].log() : metrics[i].tensor()});
-  }
+  const bool logarithms = interpolation_ == MetricInterpolation::LogEuclidean;
+  const Ranges ranges(metrics.size());
+  vertices_.resize(metrics.size());
+  parallel_for(ranges.count(), [&](int range) {
+    for (std::size_t i = ranges.first(range); i < ranges.last(range); ++i)
+      vertices_[i] = {mesh.points[i], logarithms ? metrics[i].log() : metrics[i].tensor()};
+  });
   const auto neighbors = triangle_neighbors(mesh);
   triangles_.reserve(neighbors.size());
   for (std::size_t t = 0; t < neighbors.size(); ++t) triangles_.push_back({mesh.triangles[t], neighbors[t]});

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "mesher/parallel.h"
+
 namespace parmesan {
 namespace {
 
@@ -35,21 +37,39 @@ struct Integrator {
   }
 };
 
-// Each triangle with the mean of its corners' densities. Vertices are looked up in the order of the
-// triangles: from corner to corner a walk is short, while next in memory may be far in a thin layer.
-double integrate_by_corners(const Mesh& mesh, const MetricField& field) {
+// The density at each vertex. Ranges of triangles look up the vertices that they are the first to have,
+// in the order of the triangles: from corner to corner a walk is short, while next in memory may be far in a thin
+// layer.
+std::vector<double> densities(const Mesh& mesh, const MetricField& field) {
+  const Ranges ranges(mesh.triangles.size());
+  constexpr int unclaimed = -1;
+  std::vector<int> range_of(mesh.points.size(), unclaimed);
+  for (int range = 0; range < ranges.count(); ++range)
+    for (std::size_t t = ranges.first(range); t < ranges.last(range); ++t)
+      for (const int v : mesh.triangles[t])
+        if (range_of[static_cast<std::size_t>(v)] == unclaimed) range_of[static_cast<std::size_t>(v)] = range;
   constexpr double unknown = -1.0;
   std::vector<double> density(mesh.points.size(), unknown);
-  MetricHint hint = -1;
+  parallel_for(ranges.count(), [&](int range) {
+    MetricHint hint = -1;
+    for (std::size_t t = ranges.first(range); t < ranges.last(range); ++t) {
+      for (const int v : mesh.triangles[t]) {
+        const auto i = static_cast<std::size_t>(v);
+        if (range_of[i] == range && density[i] == unknown) density[i] = field.at(mesh.points[i], hint).density();
+      }
+    }
+  });
+  return density;
+}
+
+// Each triangle with the mean of its corners' densities.
+double integrate_by_corners(const Mesh& mesh, const MetricField& field) {
+  const std::vector<double> density = densities(mesh, field);
   double sum = 0.0;
   for (const auto& corners : mesh.triangles) {
-    double of_corners = 0.0;
-    for (const int v : corners) {
-      double& known = density[static_cast<std::size_t>(v)];
-      if (known == unknown) known = field.at(mesh.points[static_cast<std::size_t>(v)], hint).density();
-      of_corners += known;
-    }
     const auto point = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(corners[k])]; };
+    double of_corners = 0.0;
+    for (const int v : corners) of_corners += density[static_cast<std::size_t>(v)];
     sum += doubled_area(point(0), point(1), point(2)) * of_corners / 6.0;
   }
   return sum;

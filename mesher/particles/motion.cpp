@@ -118,17 +118,20 @@ void Visitor::flip_spokes(VertexId v) {
 
 void sweep(ParticleSystem& particles, const Blocks& blocks, int cut, std::span<const double> targets,
            const SweepOptions& options) {
-  const std::vector<Block> all = blocks.cut(cut);
-  std::vector<std::vector<VertexId>> left_over(all.size());
-  parallel_for(static_cast<int>(all.size()), [&](int i) {
-    const Block& block = all[static_cast<std::size_t>(i)];
-    Visitor visitor(particles, targets, options, block.territory);
-    for (const VertexId v : block.particles)
-      if (!visitor.visit(v)) left_over[static_cast<std::size_t>(i)].push_back(v);
-  });
+  const auto visit = [&](const std::vector<Block>& all) {
+    std::vector<std::vector<VertexId>> left_over(all.size());
+    parallel_for(static_cast<int>(all.size()), [&](int i) {
+      const Block& block = all[static_cast<std::size_t>(i)];
+      Visitor visitor(particles, targets, options, block.territory);
+      for (const VertexId v : block.particles)
+        if (!visitor.visit(v)) left_over[static_cast<std::size_t>(i)].push_back(v);
+    });
+    return joined(left_over);
+  };
+  const std::vector<VertexId> left_over = visit(blocks.cut(cut));
+  const std::vector<VertexId> last = visit(blocks.cut(cut + 1, particles, left_over));
   Visitor everywhere(particles, targets, options, {});
-  for (const auto& of_block : left_over)
-    for (const VertexId v : of_block) everywhere.visit(v);
+  for (const VertexId v : last) everywhere.visit(v);
 }
 
 }  // namespace parmesan

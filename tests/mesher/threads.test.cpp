@@ -1,0 +1,96 @@
+#include <omp.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "mesher/generate.h"
+#include "mesher/metric/background_mesh.h"
+#include "mesher/parallel.h"
+#include "mesher/particles/blocks.h"
+#include "mesher/triangulation/conversion.h"
+#include "tests/support/domains.h"
+
+using namespace parmesan;
+
+namespace {
+
+/// Sets the number of threads for a scope.
+class Threads {
+ public:
+  explicit Threads(int n) : before_(omp_get_max_threads()) { omp_set_num_threads(n); }
+  ~Threads() { omp_set_num_threads(before_); }
+
+ private:
+  int before_;
+};
+
+Metric ring(const Point& p) {
+  const double r = norm(p - Point{0.5, 0.5});
+  const double across = 0.0015 + 0.04 * std::abs(r - 0.3);
+  return Metric::from_sizes(across, 4.0 * across, std::atan2(p.y - 0.5, p.x - 0.5));
+}
+
+std::vector<Metric> ring_on(const Mesh& mesh) {
+  std::vector<Metric> metrics;
+  for (const Point& p : mesh.points) metrics.push_back(ring(p));
+  return metrics;
+}
+
+}  // namespace
+
+TEST_CASE("any number of threads makes the same mesh", "[mesher][threads]") {
+  const Domain domain = support::unit_square();
+  const auto remeshed = [&](int threads) {
+    const Threads scope(threads);
+    const Mesh first = generate(domain, CallableField(ring)).mesh;
+    return generate(domain, BackgroundMesh(first, ring_on(first)), {}, &first).mesh;
+  };
+  const Mesh one = remeshed(1);
+  REQUIRE(one.num_vertices() > 10000);
+  for (const int threads : {2, 3, 4, 8}) {
+    CAPTURE(threads);
+    const Mesh many = remeshed(threads);
+    CHECK((many.points == one.points));
+    CHECK((many.triangles == one.triangles));
+  }
+}
+
+TEST_CASE("what fails first in number is thrown, on any number of threads", "[mesher][threads][errors]") {
+  for (const int threads : {1, 2, 4}) {
+    const Threads scope(threads);
+    try {
+      parallel_for(100, [](int i) {
+        if (i % 10 == 7) throw std::runtime_error(std::to_string(i));
+      });
+      FAIL("nothing was thrown");
+    } catch (const std::runtime_error& e) {
+      CHECK(std::string(e.what()) == "7");
+    }
+  }
+}
+
+TEST_CASE("each cut has every particle once, in the territory of its block", "[mesher][threads]") {
+  const Domain domain = support::unit_square();
+  const CallableField field(ring);
+  const Mesh mesh = generate(domain, field).mesh;
+  std::vector<int> segments;
+  for (const int label : mesh.labels) segments.push_back(label - 1);
+  const ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+  const Blocks blocks(particles);
+  REQUIRE(mesh.num_vertices() > 10000);
+  for (const int number : {0, 1}) {
+    std::vector<int> times(static_cast<std::size_t>(particles.mesh().num_slots()), 0);
+    const std::vector<Block> cut = blocks.cut(number);
+    CHECK(cut.size() > 1);
+    for (const Block& block : cut) {
+      for (const VertexId v : block.particles) {
+        ++times[static_cast<std::size_t>(v)];
+        CHECK(block.territory.contains(particles, v));
+      }
+    }
+    CHECK(times == std::vector<int>(times.size(), 1));
+  }
+}
