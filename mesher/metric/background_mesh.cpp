@@ -1,139 +1,31 @@
 #include "mesher/metric/background_mesh.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
+#include <vector>
 
-#include "mesher/errors.h"
 #include "mesher/parallel.h"
-#include "mesher/triangulation/neighbors.h"
-#include "mesher/triangulation/ordering.h"
 
 namespace parmesan {
-
-BackgroundMesh::BackgroundMesh(const Mesh& mesh, std::span<const Metric> metrics, MetricInterpolation interpolation)
-    : interpolation_(interpolation) {
-  if (metrics.size() != mesh.points.size()) {
-    throw InputError("the background mesh has " + std::to_string(mesh.points.size()) + " vertices but " +
-                     std::to_string(metrics.size()) + " metrics were given");
-  }
-  if (mesh.triangles.empty()) throw InputError("the background mesh has no triangles");
-  if (is_local(mesh)) {
-    build(mesh, metrics);
-    return;
-  }
-  const MeshOrder order = local_order(mesh);
-  std::vector<Metric> ordered;
-  ordered.reserve(metrics.size());
-  for (const int v : order.vertices) ordered.push_back(metrics[static_cast<std::size_t>(v)]);
-  build(reordered(mesh, order), ordered);
-}
-
-void BackgroundMesh::build(const Mesh& mesh, std::span<const Metric> metrics) {
-  const bool logarithms = interpolation_ == MetricInterpolation::LogEuclidean;
-  const Ranges ranges(metrics.size());
-  vertices_.resize(metrics.size());
-  parallel_for(ranges.count(), [&](int range) {
-    for (std::size_t i = ranges.first(range); i < ranges.last(range); ++i)
-      vertices_[i] = {mesh.points[i], logarithms ? metrics[i].log() : metrics[i].tensor()};
-  });
-  const auto neighbors = triangle_neighbors(mesh);
-  triangles_.reserve(neighbors.size());
-  for (std::size_t t = 0; t < neighbors.size(); ++t) triangles_.push_back({mesh.triangles[t], neighbors[t]});
-}
-
-Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const {
-  Location where = locate(p, hint >= 0 && hint < static_cast<int>(triangles_.size()) ? hint : near(p));
-  if (where.triangle < 0) where = locate_exhaustively(p);
-  hint = where.triangle;
-  const auto& corners = triangles_[static_cast<std::size_t>(where.triangle)].corners;
-  SymmetricTensor value{};
-  for (std::size_t k = 0; k < 3; ++k) value = value + where.weights[k] * vertex(corners[k]).value;
-  return interpolation_ == MetricInterpolation::LogEuclidean ? Metric::from_log(value) : Metric::from_tensor(value);
-}
-
-// Jump and walk (Muecke, Saias, Zhu, Comput. Geom. 12, 1999): the triangle of the nearest of n^(1/3) samples.
-int BackgroundMesh::near(const Point& p) const {
-  const std::size_t samples = static_cast<std::size_t>(std::cbrt(triangles_.size())) + 1;
-  const std::size_t step = (triangles_.size() - 1) / samples + 1;
-  std::size_t nearest = 0;
-  const auto distance = [&](std::size_t t) { return squared_norm(vertex(triangles_[t].corners[0]).point - p); };
-  for (std::size_t t = step; t < triangles_.size(); t += step)
-    if (distance(t) < distance(nearest)) nearest = t;
-  return static_cast<int>(nearest);
-}
-
 namespace {
 
-// Barycentric coordinates clamped to the triangle.
-std::array<double, 3> clamped(std::array<double, 3> w) {
-  double sum = 0.0;
-  for (double& x : w) {
-    x = std::max(x, 0.0);
-    sum += x;
-  }
-  for (double& x : w) x = sum > 0.0 ? x / sum : 1.0 / 3.0;
-  return w;
-}
-
-// The inner edge that has p farthest on its other side, -1 if there is none.
-int side_to_cross(const std::array<double, 3>& w, const std::array<int, 3>& neighbors, double tolerance) {
-  int out = -1;
-  for (int e = 0; e < 3; ++e) {
-    const auto i = static_cast<std::size_t>(e);
-    if (w[i] >= tolerance || neighbors[i] < 0) continue;
-    if (out < 0 || w[i] < w[static_cast<std::size_t>(out)]) out = e;
-  }
-  return out;
+std::vector<SymmetricTensor> interpolated_tensors(std::span<const Metric> metrics, MetricInterpolation interpolation) {
+  const bool logarithms = interpolation == MetricInterpolation::LogEuclidean;
+  std::vector<SymmetricTensor> tensors(metrics.size());
+  const Ranges ranges(metrics.size());
+  parallel_for(ranges.count(), [&](int range) {
+    for (std::size_t i = ranges.first(range); i < ranges.last(range); ++i)
+      tensors[i] = logarithms ? metrics[i].log() : metrics[i].tensor();
+  });
+  return tensors;
 }
 
 }  // namespace
 
-// Visibility walk: cross the edge that has p farthest on its other side. It can cycle where the mesh is not Delaunay,
-// hence the cap.
-BackgroundMesh::Location BackgroundMesh::locate(const Point& p, int start) const {
-  constexpr int max_steps = 2000;
-  constexpr double slack = 1e-3;  // how far outside of a boundary edge p may lie, in barycentric coordinates
-  int triangle = start;
-  for (int step = 0; step < max_steps; ++step) {
-    const auto& [corners, neighbors] = triangles_[static_cast<std::size_t>(triangle)];
-    const Point& a = vertex(corners[0]).point;
-    const Point& b = vertex(corners[1]).point;
-    const Point& c = vertex(corners[2]).point;
-    const std::array<double, 3> w{doubled_area(p, b, c), doubled_area(a, p, c), doubled_area(a, b, p)};
-    const double area = w[0] + w[1] + w[2];
-    const double tolerance = -1e-12 * area;
-    if (w[0] >= tolerance && w[1] >= tolerance && w[2] >= tolerance)
-      return {triangle, clamped({w[0] / area, w[1] / area, w[2] / area})};
-    const int out = side_to_cross(w, neighbors, tolerance);
-    if (out < 0) {
-      const std::array<double, 3> weights{w[0] / area, w[1] / area, w[2] / area};
-      if (std::min({weights[0], weights[1], weights[2]}) < -slack) return {};
-      return {triangle, clamped(weights)};
-    }
-    triangle = neighbors[static_cast<std::size_t>(out)];
-  }
-  return {};
-}
+BackgroundMesh::BackgroundMesh(const Mesh& mesh, std::span<const Metric> metrics, MetricInterpolation interpolation)
+    : tensors_(mesh, interpolated_tensors(metrics, interpolation)), interpolation_(interpolation) {}
 
-// The triangle that p lies in, else the one with the vertex nearest to p in clamped coordinates.
-BackgroundMesh::Location BackgroundMesh::locate_exhaustively(const Point& p) const {
-  Location best;
-  double best_distance = 0.0;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const Point& a = vertex(triangles_[t].corners[0]).point;
-    const Point& b = vertex(triangles_[t].corners[1]).point;
-    const Point& c = vertex(triangles_[t].corners[2]).point;
-    const double area = doubled_area(a, b, c);
-    const std::array<double, 3> w =
-        clamped({doubled_area(p, b, c) / area, doubled_area(a, p, c) / area, doubled_area(a, b, p) / area});
-    const double distance = squared_norm(w[0] * a + w[1] * b + w[2] * c - p);
-    if (best.triangle < 0 || distance < best_distance) {
-      best = {static_cast<int>(t), w};
-      best_distance = distance;
-    }
-  }
-  return best;
+Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const {
+  const SymmetricTensor t = tensors_.at(p, hint);
+  return interpolation_ == MetricInterpolation::LogEuclidean ? Metric::from_log(t) : Metric::from_tensor(t);
 }
 
 }  // namespace parmesan
