@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include "mesher/errors.h"
 #include "mesher/metric/complexity.h"
+#include "mesher/particles/error_descent.h"
 #include "mesher/particles/fast_schedule.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/previous_mesh.h"
@@ -46,13 +48,24 @@ void check_size(double complexity, std::int64_t max_vertices) {
 struct Relaxed {
   Mesh mesh;
   std::vector<Metric> metrics;
+  std::optional<Mesh> before_descent;  // the mesh as it was before its error was lowered
 };
 
 Relaxed taken_from(const ParticleSystem& particles) {
   ConvertedMesh converted = to_mesh(particles.mesh(), segment_numbers(particles.domain()));
-  Relaxed relaxed{std::move(converted.mesh), {}};
+  Relaxed relaxed{.mesh = std::move(converted.mesh), .metrics = {}, .before_descent = {}};
   relaxed.metrics.reserve(converted.slots.size());
   for (const VertexId v : converted.slots) relaxed.metrics.push_back(particles.metric(v));
+  return relaxed;
+}
+
+// The last stage, where there is a function whose error can be lowered.
+Relaxed taken_lower_in_error(ParticleSystem& particles, const TensorField* hessian) {
+  if (hessian == nullptr) return taken_from(particles);
+  Mesh before = taken_from(particles).mesh;
+  lower_error(particles, *hessian);
+  Relaxed relaxed = taken_from(particles);
+  relaxed.before_descent = std::move(before);
   return relaxed;
 }
 
@@ -66,7 +79,7 @@ Mesh in_local_order(Mesh mesh) {
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
 // Without momentum: it pays when a later remesh settles what it has stirred up.
 Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double complexity,
-                       FastScheduleOptions effort) {
+                       FastScheduleOptions effort, const TensorField* hessian) {
   effort.momentum = 0.0;
   const int levels = std::max(
       0, static_cast<int>(std::lround(std::log(expected_vertices(complexity) / coarsest_vertices) / std::log(4.0))));
@@ -77,7 +90,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
                                           .repairs = 0,
                                           .momentum = 0.0,
                                           .max_vertices = effort.max_vertices};
-  Relaxed relaxed{outline, {}};
+  Relaxed relaxed{.mesh = outline, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
     ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field);
     const double scale = std::pow(0.25, level);
@@ -87,17 +100,17 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
     }
     particles.set_level({scale, false});
     run_fast_schedule(particles, level == 0 ? effort : coarse_effort);
-    relaxed = taken_from(particles);
+    relaxed = level == 0 ? taken_lower_in_error(particles, hessian) : taken_from(particles);
     if (level > 0) relaxed.mesh = in_local_order(refine_red(relaxed.mesh));
   }
   return relaxed;
 }
 
-Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh,
-                           const FastScheduleOptions& effort) {
+Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh, const FastScheduleOptions& effort,
+                           const TensorField* hessian) {
   ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);
   run_fast_schedule(particles, effort);
-  return taken_from(particles);
+  return taken_lower_in_error(particles, hessian);
 }
 
 // Edges carry their segment's number while meshing; the user's label at the end.
@@ -137,11 +150,12 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
       start = refine_red(start);
       result.report.start = Start::RefinedPreviousMesh;
     }
-    relaxed = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort);
+    relaxed = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options.hessian);
   } else {
-    relaxed = mesh_in_levels(domain, field, start, complexity, effort);
+    relaxed = mesh_in_levels(domain, field, start, complexity, effort, options.hessian);
   }
   result.mesh = with_user_labels(std::move(relaxed.mesh), domain);
+  if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain);
   result.metrics = std::move(relaxed.metrics);
   result.report.complexity = complexity;
   validate(result.mesh);

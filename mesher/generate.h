@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mesher/geometry/domain.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric_field.h"
+#include "mesher/metric/tensor_field.h"
 
 namespace parmesan {
 
@@ -18,6 +20,10 @@ struct GenerateOptions {
   Preset preset = Preset::Good;
   std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
   std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
+
+  // Signed second derivatives of a function, U / L^2, not owned. When given, the finished mesh is changed so that the
+  // L2 error of the function's interpolant falls, and stays a unit mesh: see ErrorDescent.
+  const TensorField* hessian = nullptr;
 };
 
 /// What a mesh was started from.
@@ -33,6 +39,7 @@ struct GenerateReport {
 struct GenerateResult {
   Mesh mesh;
   std::vector<Metric> metrics;  // the field at each vertex
+  std::optional<Mesh> relaxed;  // with options.hessian: as forces left it, the better start for the next mesh
   GenerateReport report;
 };
 

@@ -24,6 +24,9 @@ constexpr SymmetricTensor operator*(double s, const SymmetricTensor& a) { return
 constexpr Vector operator*(const SymmetricTensor& a, const Vector& d) {
   return {a.xx * d.x + a.xy * d.y, a.xy * d.x + a.yy * d.y};
 }
+constexpr SymmetricTensor mean(const SymmetricTensor& a, const SymmetricTensor& b, const SymmetricTensor& c) {
+  return (1.0 / 3.0) * (a + b + c);
+}
 
 constexpr double determinant(const SymmetricTensor& a) { return a.xx * a.yy - a.xy * a.xy; }
 constexpr double trace(const SymmetricTensor& a) { return a.xx + a.yy; }

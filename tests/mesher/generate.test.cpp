@@ -6,6 +6,8 @@
 #include "mesher/errors.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/quality.h"
+#include "tests/oracle/domain_cover.h"
+#include "tests/oracle/interpolation_error.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/domains.h"
 
@@ -149,4 +151,54 @@ TEST_CASE("crossing segments are refused with their numbers", "[mesher][generate
   domain.points.insert(domain.points.end(), {{0.5, -0.5}, {0.5, 0.5}});
   domain.segments.push_back({4, 5, 7});
   CHECK_THROWS_AS(generate(domain, ConstantField(Metric::isotropic(0.1))), GeometryError);
+}
+
+TEST_CASE("given a function's Hessian the mesh is changed to lower its error", "[mesher][generate]") {
+  // u = atan(20 (r - 0.7)), r the distance to (-0.05, -0.05): convex before the front, indefinite behind.
+  const auto u = [](const Point& p) { return std::atan(20.0 * (std::hypot(p.x + 0.05, p.y + 0.05) - 0.7)); };
+  const CallableTensorField hessian([](const Point& p) {
+    const Vector r{p.x + 0.05, p.y + 0.05};
+    const double s = 20.0 * (norm(r) - 0.7), d = 1.0 + s * s;
+    const Eigen2 e{-800.0 * s / (d * d), 20.0 / (d * norm(r)), (1.0 / norm(r)) * r};
+    return compose(e);
+  });
+  const CallableField field = circular_front(0.05, 0.06);
+  const Domain domain = support::unit_square();
+  const GenerateResult plain = generate(domain, field);
+  const GenerateResult lower = generate(domain, field, {.hessian = &hessian});
+  CHECK_FALSE(plain.relaxed);
+  CHECK(oracle::problems_of(lower.mesh).empty());
+  CHECK(oracle::problems_of_cover(lower.mesh, domain).empty());
+  CHECK(oracle::squared_interpolation_error(lower.mesh, u) < 0.95 * oracle::squared_interpolation_error(plain.mesh, u));
+  CHECK(quality_in(field, lower.mesh).unit_edges >= quality_in(field, plain.mesh).unit_edges - 0.01);
+  for (std::size_t v = 0; v < lower.metrics.size(); ++v)
+    CHECK(lower.metrics[v].tensor() == field.at(lower.mesh.points[v]).tensor());
+
+  SECTION("the mesh before that is what forces alone make") {
+    REQUIRE(lower.relaxed);
+    CHECK(lower.relaxed->points == plain.mesh.points);
+    CHECK(lower.relaxed->triangles == plain.mesh.triangles);
+    CHECK(lower.relaxed->labels == plain.mesh.labels);
+  }
+  SECTION("the same input gives the same bits") {
+    const Mesh again = generate(domain, field, {.hessian = &hessian}).mesh;
+    CHECK(again.points == lower.mesh.points);
+    CHECK(again.triangles == lower.mesh.triangles);
+  }
+  SECTION("from a previous mesh too") {
+    const GenerateResult next = generate(domain, field, {.hessian = &hessian}, &*lower.relaxed);
+    CHECK(next.report.start == Start::PreviousMesh);
+    CHECK(oracle::squared_interpolation_error(next.mesh, u) <
+          0.95 * oracle::squared_interpolation_error(plain.mesh, u));
+  }
+}
+
+TEST_CASE("a mesh with holes, segments and points keeps them when its error is lowered", "[mesher][generate]") {
+  const Domain domain = support::square_with_everything();
+  const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.05 * p.x, 0.06, p.y); });
+  const CallableTensorField hessian([](const Point& p) { return SymmetricTensor{1.0 + p.x, 2.0, p.y - 0.5}; });
+  const Mesh mesh = generate(domain, field, {.hessian = &hessian}).mesh;
+  CHECK(oracle::problems_of(mesh).empty());
+  CHECK(oracle::problems_of_cover(mesh, domain).empty());
+  CHECK(oracle::area_of(mesh) == Approx(1.0 - 0.065).epsilon(1e-12));
 }
