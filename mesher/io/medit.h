@@ -37,6 +37,10 @@ std::vector<Metric> read_medit_metric(const std::string& path, std::optional<int
 std::vector<Metric> parse_medit_metric(std::string_view text, const std::string& name,
                                        std::optional<int> expected_count = std::nullopt);
 
+/// Reads one symmetric tensor m11 m12 m22 per vertex (type 3), definite or not. Errors: FileError with the line.
+std::vector<SymmetricTensor> read_medit_tensor(const std::string& path,
+                                               std::optional<int> expected_count = std::nullopt);
+
 /// Reads one scalar per vertex (type 1). Errors: FileError with the line.
 std::vector<double> read_medit_scalar(const std::string& path, std::optional<int> expected_count = std::nullopt);
 

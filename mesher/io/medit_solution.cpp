@@ -51,11 +51,16 @@ Metric read_size(TextReader& in) {
   return at_line(in, [h] { return Metric::isotropic(h); });
 }
 
-Metric read_tensor(TextReader& in) {
+SymmetricTensor read_tensor(TextReader& in) {
   SymmetricTensor m;
   m.xx = in.real("m11");
   m.xy = in.real("m12");
   m.yy = in.real("m22");
+  return m;
+}
+
+Metric read_metric(TextReader& in) {
+  const SymmetricTensor m = read_tensor(in);
   return at_line(in, [&m] { return Metric::from_tensor(m); });
 }
 
@@ -68,7 +73,7 @@ std::vector<Metric> parse_medit_metric(std::string_view text, const std::string&
     if (type != FieldType::Scalar && type != FieldType::Tensor) in.fail("a metric must be of type 1 or 3");
     metrics.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      metrics.push_back(type == FieldType::Scalar ? read_size(in) : read_tensor(in));
+      metrics.push_back(type == FieldType::Scalar ? read_size(in) : read_metric(in));
     }
   });
   return metrics;
@@ -76,6 +81,16 @@ std::vector<Metric> parse_medit_metric(std::string_view text, const std::string&
 
 std::vector<Metric> read_medit_metric(const std::string& path, std::optional<int> expected_count) {
   return parse_medit_metric(read_file(path), path, expected_count);
+}
+
+std::vector<SymmetricTensor> read_medit_tensor(const std::string& path, std::optional<int> expected_count) {
+  std::vector<SymmetricTensor> tensors;
+  read_solution(read_file(path), path, expected_count, [&tensors](TextReader& in, FieldType type, std::size_t count) {
+    if (type != FieldType::Tensor) in.fail("the field must be of type 3, a symmetric tensor");
+    tensors.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) tensors.push_back(read_tensor(in));
+  });
+  return tensors;
 }
 
 std::vector<double> read_medit_scalar(const std::string& path, std::optional<int> expected_count) {

@@ -64,6 +64,36 @@ TEST_CASE("mesh follows a background metric, and can start from an earlier mesh"
   CHECK(quality_of({folder / "b.mesh"}).at("vertices").get<int>() == Approx(577 + 60).epsilon(0.12));
 }
 
+TEST_CASE("mesh lowers the error of a function whose Hessian is given", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("square.poly", square_poly);
+  const std::string head = "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 4\n1 3\n";
+  const std::string saddle = folder.write("h.sol", head + "1 0 -25\n1 0 -25\n1 0 -25\n1 0 -25\nEnd\n");
+  std::vector<std::string> arguments{"mesh",         input,
+                                     "--background", folder.write("bg.mesh", background),
+                                     "--metric",     folder.write("bg.sol", layer_metric)};
+  const auto mesh_with = [&](const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), options.begin(), options.end());
+    all.insert(all.end(), {"-o", folder / name});
+    return run_program(all).exit_code;
+  };
+  REQUIRE(mesh_with("plain.mesh", {}) == 0);
+  REQUIRE(mesh_with("lower.mesh", {"--lower-error", saddle, "--require", "unit=0.99,quality=0.3"}) == 0);
+  CHECK(read_file(folder / "lower.mesh") != read_file(folder / "plain.mesh"));
+
+  SECTION("a field of the wrong size or kind is refused, and one without a background") {
+    CHECK(mesh_with("x.mesh", {"--lower-error", folder.write("two.sol",
+                                                             "MeshVersionFormatted 2\nDimension 2\n"
+                                                             "SolAtVertices 2\n1 3\n1 0 1\n1 0 1\nEnd\n")}) == 7);
+    CHECK(mesh_with("x.mesh", {"--lower-error", folder.write("scalar.sol",
+                                                             "MeshVersionFormatted 2\nDimension 2\n"
+                                                             "SolAtVertices 4\n1 1\n1\n1\n1\n1\nEnd\n")}) == 7);
+    CHECK(run_program({"mesh", input, "--size", "0.1", "--lower-error", saddle, "-o", folder / "x.mesh"}).exit_code ==
+          2);
+  }
+}
+
 TEST_CASE("quality reads its metric at the vertices of the mesh", "[system][quality]") {
   const TemporaryFolder folder;
   const std::string mesh = folder.write("bg.mesh", background);

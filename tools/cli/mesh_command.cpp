@@ -9,6 +9,7 @@
 #include "mesher/io/medit.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/metric/background_mesh.h"
+#include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
@@ -27,7 +28,7 @@ struct Requirements {
 struct MeshArguments {
   std::string geometry;
   std::optional<double> size;
-  std::string background, metric, from;
+  std::string background, metric, from, hessian;
   std::vector<std::string> outputs;
   Preset preset = GenerateOptions{}.preset;
   std::string schedule = "fast";
@@ -47,14 +48,18 @@ void set_requirement(Requirements& requirements, const std::string& text) {
   }
 }
 
-/// The metric asked for, and the mesh to start from.
+/// The metric asked for, the Hessian of a function whose error is to be lowered, and the mesh to start from.
 struct Inputs {
   std::unique_ptr<MetricField> field;
+  std::unique_ptr<TensorField> hessian;
   std::optional<Mesh> previous;
 };
 
-std::unique_ptr<MetricField> read_field(const Mesh& background, const std::string& metric) {
-  return std::make_unique<BackgroundMesh>(background, read_medit_metric(metric, background.num_vertices()));
+void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs& inputs) {
+  const int n = background.num_vertices();
+  inputs.field = std::make_unique<BackgroundMesh>(background, read_medit_metric(arguments.metric, n));
+  if (!arguments.hessian.empty())
+    inputs.hessian = std::make_unique<TensorInterpolant>(background, read_medit_tensor(arguments.hessian, n));
 }
 
 Mesh read_valid_mesh(const std::string& path) {
@@ -70,16 +75,17 @@ Inputs read_inputs(const MeshArguments& arguments) {
   if (arguments.size) {
     inputs.field = std::make_unique<ConstantField>(Metric::isotropic(*arguments.size));
   } else if (arguments.background == arguments.from) {
-    inputs.field = read_field(*inputs.previous, arguments.metric);
+    read_fields(*inputs.previous, arguments, inputs);
   } else {
-    inputs.field = read_field(read_valid_mesh(arguments.background), arguments.metric);
+    read_fields(read_valid_mesh(arguments.background), arguments, inputs);
   }
   return inputs;
 }
 
-GenerateOptions generate_options(const MeshArguments& arguments) {
+GenerateOptions generate_options(const MeshArguments& arguments, const Inputs& inputs) {
   GenerateOptions options;
   options.preset = arguments.preset;
+  options.hessian = inputs.hessian.get();
   if (arguments.common.seed) options.seed = *arguments.common.seed;
   options.max_vertices = arguments.common.limits.vertices;
   return options;
@@ -107,8 +113,8 @@ ExitCode mesh(const MeshArguments& arguments) {
   for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
   const Domain domain = read_geometry(arguments.geometry);
   const Inputs inputs = read_inputs(arguments);
-  const GenerateResult result =
-      generate(domain, *inputs.field, generate_options(arguments), inputs.previous ? &*inputs.previous : nullptr);
+  const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs),
+                                         inputs.previous ? &*inputs.previous : nullptr);
   for (const std::string& warning : result.report.warnings) print_warning(warning);
   if (arguments.common.verbose) std::cerr << description(result.report) << std::endl;
   for (const std::string& output : arguments.outputs) write_mesh_file(output, result.mesh);
@@ -128,6 +134,11 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
       app.add_option("--metric", arguments.metric, "Medit metric at the background's vertices")->option_text("SOL");
   background->needs(metric)->excludes(size);
   metric->needs(background);
+  app.add_option("--lower-error", arguments.hessian,
+                 "Last, lower the L2 error of a function whose second derivatives these are, a Medit tensor field at "
+                 "the background's vertices")
+      ->needs(background)
+      ->option_text("SOL");
   app.add_option("--from", arguments.from, "Start from the particles of this mesh")->option_text("MESH");
 }
 

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -82,4 +83,22 @@ TEST_CASE("A .sol file that is cut off anywhere is refused", "[mesher][io][medit
     CAPTURE(length);
     CHECK_THROWS_AS(parse(text.substr(0, length)), FileError);
   }
+}
+
+TEST_CASE("Tensors of any sign are read from a .sol file, and nothing else", "[mesher][io][medit]") {
+  const TemporaryFolder folder;
+  const auto written = [&folder](const std::string& text) {
+    std::ofstream(folder / "h.sol") << text;
+    return folder / "h.sol";
+  };
+  const std::vector<SymmetricTensor> tensors =
+      parmesan::read_medit_tensor(written(head + "3\n1 3\n-4 1 9\n0 0 0\n-1 0 -2\nEnd\n"), 3);
+  CHECK(tensors == std::vector<SymmetricTensor>{{-4.0, 1.0, 9.0}, {0.0, 0.0, 0.0}, {-1.0, 0.0, -2.0}});
+  const auto line = [&](const std::string& text) {
+    const std::string path = written(text);
+    return error_line([&path] { parmesan::read_medit_tensor(path, 2); });
+  };
+  CHECK(line(head + "2\n1 1\n1\n1\nEnd\n") == 5);
+  CHECK(line(head + "1\n1 3\n1 0 1\nEnd\n") == 4);
+  CHECK(line(head + "2\n1 3\n1 0 1\n1 nan 1\nEnd\n") == 7);
 }
