@@ -42,6 +42,7 @@ class Loop {
  public:
   Loop(const Case& input, const LoopOptions& options)
       : case_(input), options_(options), goal_(size_goal(input.targets)) {
+    if (options.isotropic) case_.lower_error = false;  // its best triangles are anisotropic
     case_.mesher.max_vertices = std::min(case_.mesher.max_vertices, options.max_vertices);
     if (input.targets.vertices && *input.targets.vertices > options.max_vertices) {
       throw LimitError("the case aims at " + std::to_string(*input.targets.vertices) +
@@ -129,11 +130,12 @@ class Loop {
     request.measure = options_.measure.value_or(error_measure(case_.targets));
     request.isotropic = options_.isotropic;
     request.complexity = complexity_for_vertices(asked) * calibration();
-    const HessianMetric metric = metric_from_hessians(result_.last.mesh, hessians_of(case_, result_.last), request);
+    const SecondDerivatives derivatives = second_derivatives(case_, result_.last);
+    const HessianMetric metric = metric_from_hessians(result_.last.mesh, derivatives.absolute, request);
     StageSeconds& seconds = result_.summary.iterations.back().seconds;
     seconds.recover = recover.seconds();
     seconds.cpu += recover.cpu_seconds();
-    Iterate next = interrupted() ? Iterate{} : remesh(case_, result_.last, metric);
+    Iterate next = interrupted() ? Iterate{} : remesh(case_, result_.last, metric, derivatives.signed_field.get());
     if (!interrupted()) compute_values(case_, next, &result_.last);
     if (interrupted()) {
       result_.summary.stop_reason = StopReason::Interrupted;

@@ -59,6 +59,7 @@ struct Case {
   MetricOptions metric;
   Targets targets;
   GenerateOptions mesher;
+  bool lower_error = false;  // meshes are changed to lower the L2 error itself ("mesher": {"lower_error": ...})
   std::int64_t initial_vertices = 400;  // size of the uniform start mesh ("initial": {"vertices": ...})
   OutputOptions output;
   std::vector<Expectation> expect;

@@ -58,10 +58,20 @@ void read_targets(CaseReading& reading, const Json& section, Case& result) {
   }
 }
 
-void read_mesher(const Json& section, GenerateOptions& mesher) {
+void read_mesher(CaseReading& reading, const Json& section, Case& result) {
+  GenerateOptions& mesher = result.mesher;
   const Json& preset = section["preset"];
   mesher.preset = preset == "fast" ? Preset::Fast : (preset == "mid" ? Preset::Mid : Preset::Good);
   mesher.seed = static_cast<std::uint64_t>(section["seed"].get<double>());
+  result.lower_error = section["lower_error"].get<bool>();
+  const Targets& targets = result.targets;
+  const bool only_h1 = targets.h1_error && !targets.l2_error && !targets.linf_error;
+  if (result.lower_error && result.metric.norm != 2.0) {
+    reading.issues.add("/mesher/lower_error", "lowers the L2 error only: needs the norm 2 in metric.norm");
+  }
+  if (result.lower_error && only_h1) {
+    reading.issues.add("/mesher/lower_error", "lowers the L2 error only: of no use to the one target 'h1_error'");
+  }
 }
 
 void read_expectations(CaseReading& reading, const Json& section, Case& result) {
@@ -88,7 +98,7 @@ void read_option_sections(CaseReading& reading, Case& result) {
   const auto clean = [&reading](const std::string& name) { return reading.issues.clean("/" + name); };
   if (clean("metric")) read_metric(reading, root["metric"], result);
   if (clean("targets")) read_targets(reading, root["targets"], result);
-  if (clean("mesher")) read_mesher(root["mesher"], result.mesher);
+  if (clean("mesher")) read_mesher(reading, root["mesher"], result);
   if (clean("initial")) result.initial_vertices = *optional_count(root["initial"], "vertices");
   if (clean("output")) result.output.formats = root["output"]["formats"].get<std::vector<std::string>>();
   if (clean("expect")) read_expectations(reading, root["expect"], result);

@@ -193,7 +193,9 @@ constexpr const char* kSchema = R"schema({
       "properties": {
         "schedule": { "enum": ["fast"], "default": "fast" },
         "preset": { "enum": ["fast", "mid", "good"], "default": "good" },
-        "seed": { "type": "integer", "minimum": 0, "default": 1 }
+        "seed": { "type": "integer", "minimum": 0, "default": 1 },
+        "lower_error": { "type": "boolean", "default": false,
+                         "description": "move vertices and swap edges last to lower the L2 error itself" }
       }
     },
     "initial": {

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
@@ -11,17 +12,22 @@
 #include "adapt/transfer.h"
 #include "fem/solve.h"
 #include "mesher/metric/background_mesh.h"
+#include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
 
 namespace parmesan {
 namespace {
 
-Iterate generated(const Case& input, const MetricField& field, const Mesh* previous) {
+Iterate generated(const Case& input, const MetricField& field, const Mesh* previous,
+                  const TensorField* hessian = nullptr) {
   const Stopwatch watch;
-  GenerateResult made = generate(input.domain, field, input.mesher, previous);
+  GenerateOptions options = input.mesher;
+  options.hessian = hessian;
+  GenerateResult made = generate(input.domain, field, options, previous);
   Iterate iterate;
   iterate.warnings = std::move(made.report.warnings);
   iterate.mesh = std::move(made.mesh);
+  iterate.relaxed = std::move(made.relaxed);
   iterate.metrics = std::move(made.metrics);
   iterate.seconds.mesh = watch.seconds();
   iterate.seconds.cpu = watch.cpu_seconds();
@@ -65,6 +71,20 @@ void measure_errors(const Case& input, const Iterate& iterate, const std::option
   if (limit) row.efficiency = efficiency(row.interpolation_error->l2, iterate.mesh.num_triangles(), *limit);
 }
 
+std::function<SymmetricTensor(const Point&)> exact_hessian(const Expression& function) {
+  return [function](const Point& p) {
+    const Jet u = function.jet(p);
+    return SymmetricTensor{u.xx, u.xy, u.yy};
+  };
+}
+
+std::vector<SymmetricTensor> symmetric_tensors(const std::vector<Hessian>& hessians) {
+  std::vector<SymmetricTensor> tensors;
+  tensors.reserve(hessians.size());
+  for (const Hessian& h : hessians) tensors.push_back({h.xx, h.xy, h.yy});
+  return tensors;
+}
+
 }  // namespace
 
 double area(const Mesh& mesh) {
@@ -98,9 +118,9 @@ Iterate uniform_iterate(const Case& input, double vertices) {
   return iterate;
 }
 
-Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric) {
+Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric, const TensorField* hessian) {
   const BackgroundMesh field(previous.mesh, metric.metrics);
-  Iterate iterate = generated(input, field, &previous.mesh);
+  Iterate iterate = generated(input, field, previous.relaxed ? &*previous.relaxed : &previous.mesh, hessian);
   iterate.complexity = metric.complexity;
   return iterate;
 }
@@ -119,9 +139,18 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
   iterate.seconds.cpu += watch.cpu_seconds();
 }
 
-std::vector<AbsoluteHessian> hessians_of(const Case& input, const Iterate& iterate) {
-  if (input.metric.exact_hessian && input.exact) return exact_absolute_hessians(iterate.mesh, *input.exact);
-  return absolute_hessians(iterate.mesh, recover_hessians(iterate.mesh, iterate.values, input.metric.recovery));
+SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) {
+  SecondDerivatives result;
+  if (input.metric.exact_hessian && input.exact) {
+    result.absolute = exact_absolute_hessians(iterate.mesh, *input.exact);
+    if (input.lower_error) result.signed_field = std::make_unique<CallableTensorField>(exact_hessian(*input.exact));
+  } else {
+    const std::vector<Hessian> recovered = recover_hessians(iterate.mesh, iterate.values, input.metric.recovery);
+    result.absolute = absolute_hessians(iterate.mesh, recovered);
+    if (input.lower_error)
+      result.signed_field = std::make_unique<TensorInterpolant>(iterate.mesh, symmetric_tensors(recovered));
+  }
+  return result;
 }
 
 IterationRow measure(const Case& input, Iterate& iterate, int iteration,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,12 +13,14 @@
 #include "fem/norms.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric.h"
+#include "mesher/metric/tensor_field.h"
 
 namespace parmesan {
 
 /// One state of the adaptive loop: a mesh, the metric that was asked for, and the discrete function.
 struct Iterate {
   Mesh mesh;
+  std::optional<Mesh> relaxed;  // where it differs: the mesh before its error was lowered, the start of the next
   std::vector<Metric> metrics;  // asked of the mesher, re-evaluated at the vertices of the mesh
   std::vector<double> values;   // nodal values of the solution, or of the interpolant
   double complexity = 0.0;      // of the metric asked for
@@ -33,15 +36,20 @@ double area(const Mesh& mesh);
 Iterate uniform_iterate(const Case& input, double vertices);
 
 /// The next mesh: the metric is sampled on the mesh of the previous iterate, whose particles are the
-/// start. The discrete function is not computed. Errors: as generate.
-Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric);
+/// start. hessian: of the function whose error is to be lowered, may be null. The discrete function is not
+/// computed. Errors: as generate.
+Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric, const TensorField* hessian);
 
 /// Solves on the mesh of the iterate (or interpolates). previous: where an iterative solver's first
 /// guess is taken from, may be null. Errors: as solve.
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous);
 
-/// Second derivatives of the discrete function, recovered, or those of the exact one, as the case asks.
-std::vector<AbsoluteHessian> hessians_of(const Case& input, const Iterate& iterate);
+/// Second derivatives, recovered from the discrete function or those of the exact one, as the case asks.
+struct SecondDerivatives {
+  std::vector<AbsoluteHessian> absolute;      // one per vertex, for metrics
+  std::unique_ptr<TensorField> signed_field;  // where the case wants the error lowered, else null
+};
+SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate);
 
 /// The case's exact function, for error norms.
 ExactFunction exact_function(const Expression& expression);

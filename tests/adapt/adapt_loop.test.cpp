@@ -125,3 +125,27 @@ TEST_CASE("a size beyond the safety limit is refused", "[adapt][loop][errors]") 
   options.max_vertices = 300;
   CHECK_THROWS_AS(adapt(interpolation_case("x*x", R"({"vertices": 500})"), options), LimitError);
 }
+
+TEST_CASE("lower_error brings the interpolant nearer to the limit, of given functions and of solutions",
+          "[adapt][loop]") {
+  const bool solves = GENERATE(false, true);
+  const auto efficiency_of = [solves](bool lower_error) {
+    const auto make = solves ? poisson_case : interpolation_case;
+    Case input = make("sin(3*x)*cos(2*y)", R"({"vertices": 1500, "max_iterations": 6})");
+    input.mesher.preset = Preset::Good;
+    input.lower_error = lower_error;
+    return adapt(input, {}).summary.iterations.back().efficiency.value();
+  };
+  CHECK(efficiency_of(true) < efficiency_of(false) - 0.02);
+}
+
+TEST_CASE("lower_error leaves isotropic meshes alone", "[adapt][loop]") {
+  const auto last_of = [](bool lower_error) {
+    Case input = interpolation_case("sin(3*x)*cos(2*y)", R"({"vertices": 300, "max_iterations": 3})");
+    input.lower_error = lower_error;
+    LoopOptions options;
+    options.isotropic = true;
+    return adapt(input, options).last.mesh.points;
+  };
+  CHECK(last_of(true) == last_of(false));
+}

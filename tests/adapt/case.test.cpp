@@ -36,6 +36,7 @@ TEST_CASE("parse_case fills in every default", "[adapt][case]") {
   CHECK_FALSE(c.targets.l2_error);
   CHECK(c.mesher.preset == Preset::Good);
   CHECK(c.mesher.seed == 1);
+  CHECK_FALSE(c.lower_error);
   CHECK(c.initial_vertices == 400);
   CHECK(c.output.formats == std::vector<std::string>{"vtu", "mesh", "svg"});
   CHECK(c.resolved["problem"]["diffusion"] == 1);
@@ -95,6 +96,15 @@ TEST_CASE("parse_case reads every option", "[adapt][case]") {
   CHECK(c.expect[0].max == 1.1);
   CHECK(c.expect[1].equals == true);
   CHECK(c.resolved["parameters"]["b"] == 5.0);
+}
+
+TEST_CASE("mesher.lower_error is read", "[adapt][case]") {
+  CHECK(parse_case(case_text(kZeroBoundary, R"(, "mesher": {"lower_error": true})"), "a.json").lower_error);
+  // Beside another target an H1 error does not make the metric that of H1.
+  CHECK(parse_case(case_text(kZeroBoundary, R"(, "mesher": {"lower_error": true},
+      "targets": {"h1_error": 1, "l2_error": 1})"),
+                   "a.json")
+            .lower_error);
 }
 
 TEST_CASE("Overrides replace and add values by JSON pointer", "[adapt][case]") {

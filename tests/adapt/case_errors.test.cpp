@@ -83,6 +83,13 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
         "/targets/max_iterations: must be a whole number of at least 1 and at most 10000, not the number 2.5\n");
   CHECK(issues_with(R"(, "mesher": {"preset": "god"})") ==
         "/mesher/preset: must be one of 'fast', 'mid', 'good', not the text 'god'; did you mean 'good'?\n");
+  CHECK(issues_with(R"(, "mesher": {"lower_error": 1})") ==
+        "/mesher/lower_error: must be true or false, not the number 1\n");
+  CHECK(issues_with(R"(, "mesher": {"lower_error": true}, "metric": {"norm": 4})") ==
+        "/mesher/lower_error: lowers the L2 error only: needs the norm 2 in metric.norm\n");
+  CHECK(issues_with(R"(, "mesher": {"lower_error": true}, "targets": {"h1_error": 1})") ==
+        "/mesher/lower_error: lowers the L2 error only: of no use to the one target 'h1_error'\n");
+  CHECK(issues_with(R"(, "mesher": {"lower_error": false}, "metric": {"norm": 4})").empty());
   CHECK(issues_with(R"(, "mesher": {"seed": 9007199254740993})") ==
         "/mesher/seed: whole numbers beyond 2^53 = 9007199254740992 cannot be kept exactly\n");
   CHECK_THAT(issues_with(R"(, "initial": {"vertices": 1e300})"), Catch::Contains("2^53"));

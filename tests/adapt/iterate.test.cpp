@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "mesher/metric/background_mesh.h"
 #include "tests/adapt/loop_cases.h"
 #include "tests/support/meshes.h"
 
@@ -52,4 +53,44 @@ TEST_CASE("targeted_error is the solution's where known, else the estimate, else
   input.interpolation = true;
   row.interpolation_error = ErrorNorms{0, 0.4, 0, 0};
   CHECK(targeted_error(input, row).l2 == 0.4);
+}
+
+TEST_CASE("the next mesh starts from the particles as forces left them", "[adapt][loop]") {
+  Case input = support::interpolation_case("x^2 - 3*x*y - y^2", "{}");
+  input.lower_error = true;
+  Iterate first = uniform_iterate(input, 300);
+  compute_values(input, first, nullptr);
+  const SecondDerivatives derivatives = second_derivatives(input, first);
+  HessianMetric metric;
+  metric.metrics.assign(first.mesh.points.size(), Metric::from_sizes(0.05, 0.09, 0.4));
+  const Iterate second = remesh(input, first, metric, derivatives.signed_field.get());
+  REQUIRE(second.relaxed);
+  CHECK((second.relaxed->points != second.mesh.points));
+
+  metric.metrics.assign(second.mesh.points.size(), Metric::from_sizes(0.05, 0.09, 0.4));
+  const BackgroundMesh field(second.mesh, metric.metrics);
+  const auto next_from = [&](const Mesh& start) {
+    return generate(input.domain, field, input.mesher, &start).mesh.points;
+  };
+  CHECK((remesh(input, second, metric, nullptr).mesh.points == next_from(*second.relaxed)));
+  CHECK((next_from(*second.relaxed) != next_from(second.mesh)));
+}
+
+TEST_CASE("second_derivatives keep their sign where the error is to be lowered", "[adapt][loop]") {
+  // u = x^2 - 3xy - y^2: H = [2 -3; -3 -2] everywhere; least squares recover it on any mesh.
+  Case input = support::interpolation_case("x^2 - 3*x*y - y^2", "{}");
+  input.metric.exact_hessian = GENERATE(false, true);
+  Iterate iterate;
+  iterate.mesh = support::random_square(6, 0.2, 1);
+  compute_values(input, iterate, nullptr);
+  CHECK_FALSE(second_derivatives(input, iterate).signed_field);
+  input.lower_error = true;
+  const SecondDerivatives found = second_derivatives(input, iterate);
+  REQUIRE(found.signed_field);
+  CHECK(found.absolute.size() == iterate.mesh.points.size());
+  MetricHint hint = -1;
+  const SymmetricTensor h = found.signed_field->at({0.3, 0.6}, hint);
+  CHECK(h.xx == Approx(2.0).epsilon(1e-8));
+  CHECK(h.xy == Approx(-3.0).epsilon(1e-8));
+  CHECK(h.yy == Approx(-2.0).epsilon(1e-8));
 }
