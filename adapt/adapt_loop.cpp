@@ -60,6 +60,7 @@ class Loop {
       }
       if (!advance(decision.asked)) break;
     }
+    warn_of_misfits();
     result_.summary.targets_met = goal_.error_targets && history_.back().error <= 1.0;
     if (!goal_.error_targets) result_.summary.targets_met = result_.summary.stop_reason != StopReason::Interrupted;
     result_.limit = limit_;
@@ -98,7 +99,7 @@ class Loop {
     Iterate& last = result_.last;
     std::vector<IterationRow>& rows = result_.summary.iterations;
     rows.push_back(measure(case_, last, static_cast<int>(rows.size()), limit_));
-    for (std::string& warning : last.warnings) result_.summary.warnings.push_back(std::move(warning));
+    for (std::string& warning : last.report.warnings) result_.summary.warnings.push_back(std::move(warning));
     const double excess = target_excess(case_.targets, targeted_error(case_, rows.back()));
     const bool adapted = rows.size() > 1 || options_.start;
     history_.push_back({asked_, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
@@ -106,6 +107,13 @@ class Loop {
     SizeDecision decision = next_size(history_, goal_);
     if (!decision.stop) decision.stop = budget_spent();
     return decision;
+  }
+
+  // Of the last mesh only: those on the way to it are not what the user gets.
+  void warn_of_misfits() {
+    const Diagnosis& diagnosis = result_.last.report.diagnosis;
+    if (satisfies_metric(diagnosis)) return;
+    for (std::string& sentence : sentences(diagnosis)) result_.summary.warnings.push_back(std::move(sentence));
   }
 
   std::optional<StopReason> budget_spent() const {

@@ -25,7 +25,7 @@ Iterate generated(const Case& input, const MetricField& field, const Mesh* previ
   options.hessian = hessian;
   GenerateResult made = generate(input.domain, field, options, previous);
   Iterate iterate;
-  iterate.warnings = std::move(made.report.warnings);
+  iterate.report = std::move(made.report);
   iterate.mesh = std::move(made.mesh);
   iterate.relaxed = std::move(made.relaxed);
   iterate.metrics = std::move(made.metrics);
@@ -161,6 +161,7 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
   row.vertices = iterate.mesh.num_vertices();
   row.triangles = iterate.mesh.num_triangles();
   row.complexity = iterate.complexity;
+  row.diagnosis = iterate.report.diagnosis;
   measure_errors(input, iterate, limit, row);
   set_quality(row, iterate.mesh, measure_quality(iterate.mesh, iterate.metrics));
   iterate.seconds.measure = watch.seconds();

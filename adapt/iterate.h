@@ -11,6 +11,7 @@
 #include "adapt/interpolation_limit.h"
 #include "adapt/summary.h"
 #include "fem/norms.h"
+#include "mesher/generate.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric.h"
 #include "mesher/metric/tensor_field.h"
@@ -24,7 +25,7 @@ struct Iterate {
   std::vector<Metric> metrics;  // asked of the mesher, re-evaluated at the vertices of the mesh
   std::vector<double> values;   // nodal values of the solution, or of the interpolant
   double complexity = 0.0;      // of the metric asked for
-  std::vector<std::string> warnings;
+  GenerateReport report;        // of the mesher
   StageSeconds seconds;
 };
 

@@ -31,6 +31,23 @@ Json seconds(const StageSeconds& s) {
               {"measure", s.measure}, {"total", s.total()}, {"cpu", s.cpu}};
 }
 
+// name: what the worst value is.
+Json misfits(const std::vector<Misfits>& all, const char* name) {
+  Json j = Json::array();
+  for (const Misfits& m : all) {
+    j.push_back({{"reason", to_string(m.reason)},
+                 {"count", m.count},
+                 {"worst", {{"x", number(m.place.x)}, {"y", number(m.place.y)}, {name, number(m.worst)}}}});
+  }
+  return j;
+}
+
+Json misfits(const Diagnosis& diagnosis) {
+  return Json{{"long_edges", misfits(diagnosis.long_edges, "length")},
+              {"short_edges", misfits(diagnosis.short_edges, "length")},
+              {"poor_triangles", misfits(diagnosis.poor_triangles, "quality")}};
+}
+
 /// One column of convergence.csv: its name and where the value stands in a row's JSON.
 struct Column {
   const char* name;
@@ -114,11 +131,7 @@ void set_quality(IterationRow& row, const Mesh& mesh, const MeshQuality& quality
   row.quality_p01 = quality.quality_p01;
   row.quality_mean = quality.quality_mean;
   row.quality_min_away_from_corners = quality.quality_min_away_from_corners;
-  if (quality.worst_triangle < 0) return;
-  Point center;
-  for (const int v : mesh.triangles[static_cast<std::size_t>(quality.worst_triangle)])
-    center = center + (1.0 / 3.0) * mesh.points[static_cast<std::size_t>(v)];
-  row.worst = {center, quality.quality_min};
+  if (quality.worst_triangle >= 0) row.worst = {worst_place(mesh, quality), quality.quality_min};
 }
 
 nlohmann::ordered_json to_json(const IterationRow& row) {
@@ -140,6 +153,7 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
                   {"min_away_from_corners", number(row.quality_min_away_from_corners)}};
   j["worst_element"] = {
       {"x", number(row.worst.center.x)}, {"y", number(row.worst.center.y)}, {"quality", number(row.worst.quality)}};
+  j["misfits"] = misfits(row.diagnosis);
   j["seconds"] = seconds(row.seconds);
   j["peak_memory_mb"] = number(row.peak_memory_mb);
   return j;

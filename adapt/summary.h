@@ -9,6 +9,7 @@
 
 #include "fem/norms.h"
 #include "fem/recovery.h"
+#include "mesher/diagnosis.h"
 #include "mesher/geometry/point.h"
 #include "mesher/quality.h"
 
@@ -60,6 +61,7 @@ struct IterationRow {
   double length_min = 0.0, length_max = 0.0;
   double quality_min = 0.0, quality_p01 = 0.0, quality_mean = 0.0, quality_min_away_from_corners = 0.0;
   WorstElement worst;
+  Diagnosis diagnosis;
   StageSeconds seconds;
   double peak_memory_mb = 0.0;
 };

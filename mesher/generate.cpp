@@ -154,6 +154,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   } else {
     relaxed = mesh_in_levels(domain, field, start, complexity, effort, options.hessian);
   }
+  result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);
   result.mesh = with_user_labels(std::move(relaxed.mesh), domain);
   if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain);
   result.metrics = std::move(relaxed.metrics);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesher/diagnosis.h"
 #include "mesher/geometry/domain.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric_field.h"
@@ -33,6 +34,7 @@ enum class Start { Scratch, PreviousMesh, RefinedPreviousMesh };
 struct GenerateReport {
   Start start = Start::Scratch;
   double complexity = 0.0;  // integral of sqrt(det M) over the mesh
+  Diagnosis diagnosis;      // where the mesh misses its metric, and why
   std::vector<std::string> warnings;
 };
 

@@ -128,6 +128,11 @@ MeshQuality measure_quality(const Mesh& mesh, std::span<const Metric> metrics) {
   return q;
 }
 
+Point worst_place(const Mesh& mesh, const MeshQuality& quality) {
+  const auto& [a, b, c] = mesh.triangles[at(quality.worst_triangle)];
+  return (1.0 / 3.0) * (mesh.points[at(a)] + mesh.points[at(b)] + mesh.points[at(c)]);
+}
+
 MeshQuality measure_quality(const Mesh& mesh) { return measure_quality(mesh, std::vector<Metric>(mesh.points.size())); }
 
 }  // namespace parmesan

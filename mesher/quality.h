@@ -31,4 +31,7 @@ MeshQuality measure_quality(const Mesh& mesh, std::span<const Metric> metrics);
 /// The same in the Euclidean metric of the unit size, for meshes without a metric.
 MeshQuality measure_quality(const Mesh& mesh);
 
+/// The center of the worst triangle. Units: L.
+Point worst_place(const Mesh& mesh, const MeshQuality& quality);
+
 }  // namespace parmesan

@@ -147,6 +147,33 @@ TEST_CASE("mesh refuses what it cannot do with the exit code of the reason", "[s
   if (!std::filesystem::exists(folder / "file")) CHECK_FALSE(std::filesystem::exists(folder / "out.mesh"));
 }
 
+TEST_CASE("mesh says nothing of a metric that is satisfied", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", square_poly);
+  const ProgramResult result = run_program({"mesh", square, "--size", "0.05", "-o", folder / "a.mesh"});
+  CHECK(result.exit_code == 0);
+  CHECK(result.err.empty());
+}
+
+TEST_CASE("a metric that cannot be satisfied is a warning with places, and 9 only when required", "[system][mesh]") {
+  // A slit of height 0.01 where triangles of 0.1 are asked for.
+  const TemporaryFolder folder;
+  const std::string slit = folder.write(
+      "slit.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 0.01\n4 0 0.01\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n");
+  std::vector<std::string> arguments{"mesh", slit, "--size", "0.1", "-o", folder / "a.mesh"};
+  const ProgramResult warned = run_program(arguments);
+  CHECK(warned.exit_code == 0);
+  CHECK_THAT(warned.err, Catch::Contains("warning: 11 edges are shorter than 1/sqrt2 in the metric: "));
+  CHECK_THAT(warned.err, Catch::Contains("9 between two segments or points of the geometry, the worst 0.1 at (0."));
+  CHECK_THAT(warned.err, Catch::Contains(", 0.005)"));
+  arguments.insert(arguments.end(), {"--require", "unit=0.99,quality=0.3"});
+  const ProgramResult missed = run_program(arguments);
+  CHECK(missed.exit_code == 9);
+  CHECK_THAT(missed.err, Catch::Contains("the share of unit edges is 0.7"));
+  CHECK_THAT(missed.err, Catch::Contains("the lowest quality, at (0."));
+  CHECK_THAT(missed.err, Catch::Contains("between two segments"));
+}
+
 TEST_CASE("a requirement that is missed ends with 9 and keeps the mesh", "[system][mesh]") {
   const TemporaryFolder folder;
   const std::string square = folder.write("square.poly", square_poly);

@@ -98,14 +98,21 @@ std::string description(const GenerateReport& report) {
   return std::string(start) + ", complexity " + format_number(report.complexity);
 }
 
-bool meets(const MeshQuality& quality, const Requirements& requirements) {
-  const auto holds = [](const char* name, double value, double least) {
-    if (value >= least) return true;
-    print_error(std::string(name) + " is " + format_number(value) + ", required was " + format_number(least));
-    return false;
-  };
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) print_warning(warning);
+}
+
+bool holds(const std::string& name, double value, double least) {
+  if (value >= least) return true;
+  print_error(name + " is " + format_number(value) + ", required was " + format_number(least));
+  return false;
+}
+
+bool meets(const Mesh& mesh, const MeshQuality& quality, const Requirements& requirements) {
+  const Point worst = worst_place(mesh, quality);
   const bool unit = holds("the share of unit edges", quality.unit_edges, requirements.unit_edges);
-  return holds("the lowest quality", quality.quality_min, requirements.quality) && unit;
+  const std::string place = " at (" + format_number(worst.x, 6) + ", " + format_number(worst.y, 6) + ")";
+  return holds("the lowest quality," + place + ",", quality.quality_min, requirements.quality) && unit;
 }
 
 ExitCode mesh(const MeshArguments& arguments) {
@@ -115,13 +122,17 @@ ExitCode mesh(const MeshArguments& arguments) {
   const Inputs inputs = read_inputs(arguments);
   const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs),
                                          inputs.previous ? &*inputs.previous : nullptr);
-  for (const std::string& warning : result.report.warnings) print_warning(warning);
+  print_warnings(result.report.warnings);
   if (arguments.common.verbose) std::cerr << description(result.report) << std::endl;
   for (const std::string& output : arguments.outputs) write_mesh_file(output, result.mesh);
+  const Diagnosis& diagnosis = result.report.diagnosis;
+  if (!satisfies_metric(diagnosis)) print_warnings(sentences(diagnosis));
   if (arguments.common.quiet && !arguments.requirements.any()) return ExitCode::Done;
   const MeshQuality quality = measure_quality(result.mesh, result.metrics);
+  const bool is_met = meets(result.mesh, quality, arguments.requirements);
+  if (!is_met && satisfies_metric(diagnosis)) print_warnings(sentences(diagnosis));
   if (!arguments.common.quiet) print_mesh_summary(std::cout, result.mesh, quality);
-  return meets(quality, arguments.requirements) ? ExitCode::Done : ExitCode::TargetMissed;
+  return is_met ? ExitCode::Done : ExitCode::TargetMissed;
 }
 
 void add_metric_options(CLI::App& app, MeshArguments& arguments) {

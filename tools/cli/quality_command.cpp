@@ -50,20 +50,13 @@ Assessment assess(const QualityArguments& arguments) {
   return result;
 }
 
-Point center(const Mesh& mesh, int triangle) {
-  const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
-  const auto point = [&mesh](int vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; };
-  const Point a = point(corners[0]), b = point(corners[1]), c = point(corners[2]);
-  return {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0};
-}
-
 nlohmann::ordered_json to_json(const Histogram& histogram) {
   return {{"bounds", histogram.bounds}, {"counts", histogram.counts}};
 }
 
 nlohmann::ordered_json to_json(const Assessment& assessment) {
   const MeshQuality& quality = assessment.quality;
-  const Point worst = center(assessment.mesh, quality.worst_triangle);
+  const Point worst = worst_place(assessment.mesh, quality);
   nlohmann::ordered_json json{
       {"vertices", assessment.mesh.num_vertices()},
       {"triangles", assessment.mesh.num_triangles()},
@@ -83,7 +76,7 @@ nlohmann::ordered_json to_json(const Assessment& assessment) {
 
 void print(std::ostream& out, const Assessment& assessment) {
   const MeshQuality& quality = assessment.quality;
-  const Point worst = center(assessment.mesh, quality.worst_triangle);
+  const Point worst = worst_place(assessment.mesh, quality);
   const std::string unit = assessment.in_metric ? "in the metric" : "in the unit of the mesh";
   out << assessment.mesh.num_vertices() << " vertices, " << assessment.mesh.num_triangles() << " triangles, "
       << assessment.mesh.num_edges() << " boundary and constraint edges\n"

@@ -1,0 +1,100 @@
+#include "mesher/constraint_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::uint64_t edge_key(int a, int b) {
+  const auto [low, high] = std::minmax(a, b);
+  return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
+}
+
+bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+// In the coordinates M^(1/2) x, dot and cross product are a^T M b and sqrt(det M) a x b (thesis 5.2, 5.3).
+double metric_angle(const Vector& a, const Vector& b, const Metric& m) {
+  return std::atan2(m.density() * std::abs(cross(a, b)), dot(a, m.tensor() * b));
+}
+
+int other_end(const Segment& s, int point) { return s.a == point ? s.b : s.a; }
+
+}  // namespace
+
+ConstraintMap::ConstraintMap(const Mesh& mesh, const Domain& domain)
+    : mesh_(mesh),
+      domain_(domain),
+      point_(mesh.points.size(), -1),
+      segment_(mesh.points.size(), -1),
+      segments_from_(domain.points.size()) {
+  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s)
+    for (const int p : {domain.segments[at(s)].a, domain.segments[at(s)].b}) segments_from_[at(p)].push_back(s);
+  bind_to_segments();
+  find_isolated_points();
+}
+
+void ConstraintMap::bind_to_segments() {
+  edges_.reserve(mesh_.edges.size());
+  for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
+    const auto& [a, b] = mesh_.edges[e];
+    edges_.push_back(edge_key(a, b));
+    const int s = mesh_.labels[e];
+    const Segment& segment = domain_.segments[at(s)];
+    for (const int v : {a, b}) {
+      for (const int p : {segment.a, segment.b})
+        if (mesh_.points[at(v)] == domain_.points[at(p)]) point_[at(v)] = p;
+      segment_[at(v)] = point_[at(v)] < 0 ? s : -1;
+    }
+  }
+  std::sort(edges_.begin(), edges_.end());
+}
+
+// Domain points that no segment ends at are recognised by their coordinates.
+void ConstraintMap::find_isolated_points() {
+  std::vector<int> isolated;
+  for (int p = 0; p < static_cast<int>(domain_.points.size()); ++p)
+    if (segments_from_[at(p)].empty()) isolated.push_back(p);
+  if (isolated.empty()) return;
+  const auto point_before = [this](int p, const Point& q) { return before(domain_.points[at(p)], q); };
+  std::sort(isolated.begin(), isolated.end(), [&](int p, int q) { return point_before(p, domain_.points[at(q)]); });
+  for (int v = 0; v < mesh_.num_vertices(); ++v) {
+    const Point& p = mesh_.points[at(v)];
+    const auto found = std::lower_bound(isolated.begin(), isolated.end(), p, point_before);
+    if (found != isolated.end() && domain_.points[at(*found)] == p) point_[at(v)] = *found;
+  }
+}
+
+bool ConstraintMap::is_constrained(int a, int b) const {
+  return std::binary_search(edges_.begin(), edges_.end(), edge_key(a, b));
+}
+
+std::vector<int> ConstraintMap::segments_at(int vertex) const {
+  if (is_fixed(vertex)) return segments_from_[at(point_[at(vertex)])];
+  if (is_bound(vertex)) return {segment_[at(vertex)]};
+  return {};
+}
+
+bool ConstraintMap::face_across_sharp_corner(int a, int b, const Metric& metric) const {
+  constexpr double sharp = std::numbers::pi / 6.0;
+  for (const int i : segments_at(a)) {
+    for (const int j : segments_at(b)) {
+      const Segment& s = domain_.segments[at(i)];
+      const Segment& t = domain_.segments[at(j)];
+      for (const int corner : {s.a, s.b}) {
+        if (i == j || (corner != t.a && corner != t.b) || is_at(a, corner) || is_at(b, corner)) continue;
+        const Point& p = domain_.points[at(corner)];
+        const Vector along_s = domain_.points[at(other_end(s, corner))] - p;
+        const Vector along_t = domain_.points[at(other_end(t, corner))] - p;
+        if (metric_angle(along_s, along_t, metric) < sharp) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace parmesan

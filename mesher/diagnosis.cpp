@@ -1,0 +1,193 @@
+#include "mesher/diagnosis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mesher/constraint_map.h"
+#include "mesher/metric/metric_length.h"
+
+namespace parmesan {
+namespace {
+
+constexpr double poor_quality = 0.3;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Two vertices, low < high.
+struct Edge {
+  int low;
+  int high;
+  auto operator<=>(const Edge&) const = default;
+};
+
+/// What has to be looked at closely.
+struct Suspects {
+  std::vector<Edge> edges;     // nearly out of range, or worse; each once
+  std::vector<int> triangles;  // perhaps poor
+  std::vector<bool> at_jump;   // vertices of triangles where the metric jumps, and near by
+};
+
+// Finds the suspects by squared lengths alone: the mean of two squares is more than the square of their
+// logarithmic mean, their product less than its fourth power; and where the vertices of a triangle see about
+// the same lengths, its quality in their mean metric is near the one meant.
+class Search {
+ public:
+  Search(const Mesh& mesh, std::span<const Metric> metrics) : mesh_(mesh), metrics_(metrics) {
+    found_.at_jump.assign(mesh.points.size(), false);
+  }
+
+  Suspects run() {
+    for (int t = 0; t < mesh_.num_triangles(); ++t)
+      if (looks_poor(t)) found_.triangles.push_back(t);
+    std::sort(found_.edges.begin(), found_.edges.end());
+    found_.edges.erase(std::unique(found_.edges.begin(), found_.edges.end()), found_.edges.end());
+    spread_jumps();
+    return std::move(found_);
+  }
+
+ private:
+  bool looks_poor(int t) {
+    constexpr double suspicious = 0.5;
+    constexpr double uneven = 2.0 * 2.0;
+    constexpr double jump = 3.0 * 3.0;
+    const auto& [a, b, c] = mesh_.triangles[at(t)];
+    const double change = std::max({change_along(a, b, c), change_along(b, c, a), change_along(c, a, b)});
+    if (change > jump) found_.at_jump[at(a)] = found_.at_jump[at(b)] = found_.at_jump[at(c)] = true;
+    const Metric m = mean(metrics_[at(a)], metrics_[at(b)], metrics_[at(c)]);
+    return change > uneven || mean_ratio(mesh_.points[at(a)], mesh_.points[at(b)], mesh_.points[at(c)], m) < suspicious;
+  }
+
+  // The ratio of the squared lengths that the three vertices of a triangle see of the side from a to b.
+  double change_along(int a, int b, int apex) {
+    const Vector d = mesh_.points[at(b)] - mesh_.points[at(a)];
+    const double from_a = metrics_[at(a)].squared_length(d);
+    const double from_b = metrics_[at(b)].squared_length(d);
+    const double from_apex = metrics_[at(apex)].squared_length(d);
+    if (from_a + from_b > 4.0 || from_a * from_b < 0.25) found_.edges.push_back({std::min(a, b), std::max(a, b)});
+    return std::max({from_a, from_b, from_apex}) / std::min({from_a, from_b, from_apex});
+  }
+
+  // A jump puts the elements next to it out of range as well.
+  void spread_jumps() {
+    constexpr int reach = 4;  // edges
+    for (int i = 0; i < reach; ++i) {
+      const std::vector<bool> before = found_.at_jump;
+      for (const auto& [a, b] : found_.edges)
+        if (before[at(a)] || before[at(b)]) found_.at_jump[at(a)] = found_.at_jump[at(b)] = true;
+    }
+  }
+
+  const Mesh& mesh_;
+  std::span<const Metric> metrics_;
+  Suspects found_;
+};
+
+/// Adds up the misfits of one kind by their reasons.
+class Tally {
+ public:
+  void add(MisfitReason reason, const Point& place, double value, double misfit) {
+    Misfits& entry = entries_[static_cast<std::size_t>(reason)];
+    double& most = most_[static_cast<std::size_t>(reason)];
+    entry.reason = reason;
+    if (++entry.count > 1 && misfit <= most) return;
+    most = misfit;
+    entry.place = place;
+    entry.worst = value;
+  }
+
+  std::vector<Misfits> worst_first() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+      if (entries_[i].count > 0) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t i, std::size_t j) { return most_[i] > most_[j]; });
+    std::vector<Misfits> result;
+    for (const std::size_t i : order) result.push_back(entries_[i]);
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t num_reasons = static_cast<std::size_t>(MisfitReason::Unknown) + 1;
+  std::array<Misfits, num_reasons> entries_{};
+  std::array<double, num_reasons> most_{};
+};
+
+/// Looks at the suspects and says what is the matter with each.
+class Examination {
+ public:
+  Examination(const Mesh& mesh, std::span<const Metric> metrics, const Domain& domain, const Suspects& suspects)
+      : mesh_(mesh), metrics_(metrics), suspects_(suspects), constraints_(mesh, domain) {}
+
+  Diagnosis run() const {
+    Tally too_long, too_short, poor;
+    for (const auto& [a, b] : suspects_.edges) {
+      const double l = length(a, b);
+      const Point place = midpoint(mesh_.points[at(a)], mesh_.points[at(b)]);
+      if (l > std::numbers::sqrt2) too_long.add(reason_of_edge(a, b, l), place, l, l);
+      if (l < std::numbers::sqrt2 / 2.0) too_short.add(reason_of_edge(a, b, l), place, l, -l);
+    }
+    for (const int t : suspects_.triangles) {
+      const double q = quality(t);
+      if (q < poor_quality) poor.add(reason_of_triangle(t), center(t), q, -q);
+    }
+    Diagnosis diagnosis;
+    diagnosis.num_triangles = mesh_.num_triangles();
+    diagnosis.long_edges = too_long.worst_first();
+    diagnosis.short_edges = too_short.worst_first();
+    diagnosis.poor_triangles = poor.worst_first();
+    return diagnosis;
+  }
+
+ private:
+  double length(int a, int b) const {
+    return metric_edge_length(mesh_.points[at(b)] - mesh_.points[at(a)], metrics_[at(a)], metrics_[at(b)]);
+  }
+
+  double quality(int t) const {
+    const auto& [a, b, c] = mesh_.triangles[at(t)];
+    const SymmetricTensor sum = metrics_[at(a)].log() + metrics_[at(b)].log() + metrics_[at(c)].log();
+    return mean_ratio(mesh_.points[at(a)], mesh_.points[at(b)], mesh_.points[at(c)],
+                      Metric::from_log((1.0 / 3.0) * sum));
+  }
+
+  Point center(int t) const {
+    const auto& [a, b, c] = mesh_.triangles[at(t)];
+    return (1.0 / 3.0) * (mesh_.points[at(a)] + mesh_.points[at(b)] + mesh_.points[at(c)]);
+  }
+
+  MisfitReason reason_of_edge(int a, int b, double l) const;
+  MisfitReason reason_of_triangle(int t) const;
+
+  const Mesh& mesh_;
+  std::span<const Metric> metrics_;
+  const Suspects& suspects_;
+  ConstraintMap constraints_;
+};
+
+MisfitReason Examination::reason_of_edge(int a, int b, double l) const {
+  const bool is_constrained = constraints_.is_constrained(a, b);
+  if (!is_constrained && constraints_.face_across_sharp_corner(a, b, metrics_[at(a)])) return MisfitReason::SharpCorner;
+  if (l < 1.0 && constraints_.is_fixed(a) && constraints_.is_fixed(b)) return MisfitReason::ClosePoints;
+  if (suspects_.at_jump[at(a)] || suspects_.at_jump[at(b)]) return MisfitReason::MetricJump;
+  if (is_constrained) return MisfitReason::OnSegment;
+  if (constraints_.is_bound(a) && constraints_.is_bound(b)) return MisfitReason::BetweenConstraints;
+  return MisfitReason::Unknown;
+}
+
+// A triangle has the first reason that any of its sides would have.
+MisfitReason Examination::reason_of_triangle(int t) const {
+  const auto& [a, b, c] = mesh_.triangles[at(t)];
+  return std::min(
+      {reason_of_edge(a, b, length(a, b)), reason_of_edge(b, c, length(b, c)), reason_of_edge(c, a, length(c, a))});
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Mesh& mesh, std::span<const Metric> metrics, const Domain& domain) {
+  const Suspects suspects = Search(mesh, metrics).run();
+  if (suspects.edges.empty() && suspects.triangles.empty()) return {mesh.num_triangles(), {}, {}, {}};
+  return Examination(mesh, metrics, domain, suspects).run();
+}
+
+}  // namespace parmesan
