@@ -161,6 +161,8 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
   row.vertices = iterate.mesh.num_vertices();
   row.triangles = iterate.mesh.num_triangles();
   row.complexity = iterate.complexity;
+  row.start = iterate.report.start;
+  row.start_reason = iterate.report.start_reason;
   row.diagnosis = iterate.report.diagnosis;
   measure_errors(input, iterate, limit, row);
   set_quality(row, iterate.mesh, measure_quality(iterate.mesh, iterate.metrics));

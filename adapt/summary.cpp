@@ -154,6 +154,8 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["worst_element"] = {
       {"x", number(row.worst.center.x)}, {"y", number(row.worst.center.y)}, {"quality", number(row.worst.quality)}};
   j["misfits"] = misfits(row.diagnosis);
+  j["start"] = to_string(row.start);
+  j["start_reason"] = row.start_reason;
   j["seconds"] = seconds(row.seconds);
   j["peak_memory_mb"] = number(row.peak_memory_mb);
   return j;

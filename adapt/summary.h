@@ -12,6 +12,7 @@
 #include "mesher/diagnosis.h"
 #include "mesher/geometry/point.h"
 #include "mesher/quality.h"
+#include "mesher/start_choice.h"
 
 namespace parmesan {
 
@@ -62,6 +63,8 @@ struct IterationRow {
   double quality_min = 0.0, quality_p01 = 0.0, quality_mean = 0.0, quality_min_away_from_corners = 0.0;
   WorstElement worst;
   Diagnosis diagnosis;
+  Start start = Start::Scratch;
+  std::string start_reason;
   StageSeconds seconds;
   double peak_memory_mb = 0.0;
 };

@@ -126,34 +126,31 @@ Mesh with_user_labels(Mesh mesh, const Domain& domain) {
 
 GenerateResult generate(const Domain& user_domain, const MetricField& field, const GenerateOptions& options,
                         const Mesh* previous) {
-  constexpr double refine_above = 2.0;  // growth of the number of vertices
   GenerateResult result;
   CleanDomain cleaned = clean(user_domain);
   const Domain& domain = cleaned.domain;
   result.report.warnings = std::move(cleaned.repairs);
   const FastScheduleOptions effort = fast_schedule_options(options);
 
+  StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<std::vector<int>> segments;
-  if (previous != nullptr) segments = match_edges_to_segments(*previous, domain);
-  if (previous != nullptr && !segments)
-    result.report.warnings.push_back("the previous mesh does not fit the geometry: started from scratch");
-
-  Mesh start = segments ? *previous : to_mesh(triangulate(domain), segment_numbers(domain)).mesh;
-  if (segments) start.labels = *segments;
+  if (previous != nullptr) {
+    segments = match_edges_to_segments(*previous, domain);
+    choice.reason = "the previous mesh does not fit the geometry";
+    if (segments) choice = choose_start(*previous, field);
+    if (!segments) result.report.warnings.push_back(choice.reason + ": started from scratch");
+  }
+  const bool from_scratch = choice.start == Start::Scratch;
+  Mesh start = from_scratch ? to_mesh(triangulate(domain), segment_numbers(domain)).mesh : *previous;
+  if (!from_scratch) start.labels = *segments;
   const double complexity = integrate_complexity(start, field);
   check_size(complexity, options.max_vertices);
 
-  Relaxed relaxed;
-  if (segments) {
-    result.report.start = Start::PreviousMesh;
-    while (expected_vertices(complexity) > refine_above * start.num_vertices()) {
-      start = refine_red(start);
-      result.report.start = Start::RefinedPreviousMesh;
-    }
-    relaxed = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options.hessian);
-  } else {
-    relaxed = mesh_in_levels(domain, field, start, complexity, effort, options.hessian);
-  }
+  for (int i = 0; i < choice.refinements; ++i) start = refine_red(start);
+  Relaxed relaxed = from_scratch ? mesh_in_levels(domain, field, start, complexity, effort, options.hessian)
+                                 : mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options.hessian);
+  result.report.start = choice.start;
+  result.report.start_reason = std::move(choice.reason);
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);
   result.mesh = with_user_labels(std::move(relaxed.mesh), domain);
   if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain);

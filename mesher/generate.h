@@ -10,6 +10,7 @@
 #include "mesher/mesh.h"
 #include "mesher/metric/metric_field.h"
 #include "mesher/metric/tensor_field.h"
+#include "mesher/start_choice.h"
 
 namespace parmesan {
 
@@ -27,14 +28,12 @@ struct GenerateOptions {
   const TensorField* hessian = nullptr;
 };
 
-/// What a mesh was started from.
-enum class Start { Scratch, PreviousMesh, RefinedPreviousMesh };
-
 /// What happened inside generate.
 struct GenerateReport {
   Start start = Start::Scratch;
-  double complexity = 0.0;  // integral of sqrt(det M) over the mesh
-  Diagnosis diagnosis;      // where the mesh misses its metric, and why
+  std::string start_reason;  // why that and not another
+  double complexity = 0.0;   // integral of sqrt(det M) over the mesh
+  Diagnosis diagnosis;       // where the mesh misses its metric, and why
   std::vector<std::string> warnings;
 };
 
@@ -48,7 +47,8 @@ struct GenerateResult {
 /// Meshes the domain so that every edge has metric length close to 1.
 ///
 /// previous: an earlier mesh of the same domain; its particles are the start when it conforms to
-/// the domain. Same input, same bits. The mesh returned has passed validate().
+/// the domain and choose_start finds it near enough to the metric. Otherwise the mesh is the one made
+/// without it. Same input, same bits. The mesh returned has passed validate().
 ///
 /// Errors: GeometryError for a domain that clean() refuses; LimitError when the integral of the
 /// metric asks for more than max_vertices; MeshingError when no valid mesh could be made.

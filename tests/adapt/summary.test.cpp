@@ -33,23 +33,28 @@ TEST_CASE("summary.json has every field that users rely on", "[adapt][summary]")
   const nlohmann::ordered_json& row = json["iterations"][0];
   for (const char* key : {"iteration", "vertices", "triangles", "complexity", "interpolation_error", "efficiency",
                           "solution_error", "estimated_error", "goal", "unit_edges", "edge_length", "quality",
-                          "worst_element", "misfits", "seconds", "peak_memory_mb"})
+                          "worst_element", "misfits", "start", "start_reason", "seconds", "peak_memory_mb"})
     CHECK(row.contains(key));
   CHECK(row["interpolation_error"]["linf"] == 2.0);
   CHECK(row["seconds"]["total"] == 0.25);
 }
 
-TEST_CASE("summary.json says where a mesh misses its metric and why", "[adapt][summary]") {
+TEST_CASE("summary.json says where a mesh misses its metric and why, and what it was started from",
+          "[adapt][summary]") {
   Summary summary = one_row();
   IterationRow& row = summary.iterations[0];
   row.diagnosis.short_edges = {{MisfitReason::ClosePoints, 3, {0.25, 0.5}, 0.125}};
   row.diagnosis.poor_triangles = {{MisfitReason::SharpCorner, 2, {1.0, 0.0}, 0.2}};
+  row.start = Start::RefinedPreviousMesh;
+  row.start_reason = "it fits";
   const nlohmann::ordered_json json = to_json(summary)["iterations"][0];
   CHECK(json["misfits"]["long_edges"].empty());
   CHECK(json["misfits"]["short_edges"].dump() ==
         R"([{"reason":"close_points","count":3,"worst":{"x":0.25,"y":0.5,"length":0.125}}])");
   CHECK(json["misfits"]["poor_triangles"].dump() ==
         R"([{"reason":"sharp_corner","count":2,"worst":{"x":1.0,"y":0.0,"quality":0.2}}])");
+  CHECK(json["start"] == "refined_previous_mesh");
+  CHECK(json["start_reason"] == "it fits");
 }
 
 TEST_CASE("absent and not finite values are null", "[adapt][summary]") {

@@ -147,12 +147,19 @@ TEST_CASE("mesh refuses what it cannot do with the exit code of the reason", "[s
   if (!std::filesystem::exists(folder / "file")) CHECK_FALSE(std::filesystem::exists(folder / "out.mesh"));
 }
 
-TEST_CASE("mesh says nothing of a metric that is satisfied", "[system][mesh]") {
+TEST_CASE("mesh says nothing of a metric that is satisfied, and from what it started", "[system][mesh]") {
   const TemporaryFolder folder;
   const std::string square = folder.write("square.poly", square_poly);
-  const ProgramResult result = run_program({"mesh", square, "--size", "0.05", "-o", folder / "a.mesh"});
-  CHECK(result.exit_code == 0);
-  CHECK(result.err.empty());
+  const ProgramResult scratch = run_program({"mesh", square, "--size", "0.05", "-o", folder / "a.mesh"});
+  CHECK(scratch.exit_code == 0);
+  CHECK(scratch.err.empty());
+  CHECK_THAT(scratch.out, Catch::Contains("started from scratch: there is no previous mesh"));
+  const ProgramResult again =
+      run_program({"mesh", square, "--size", "0.05", "--from", folder / "a.mesh", "-o", folder / "b.mesh"});
+  CHECK_THAT(again.out, Catch::Contains("started from the previous mesh: "));
+  const ProgramResult coarse =
+      run_program({"mesh", square, "--size", "0.2", "--from", folder / "a.mesh", "-o", folder / "b.mesh"});
+  CHECK_THAT(coarse.out, Catch::Contains("started from scratch: the previous mesh's edges"));
 }
 
 TEST_CASE("a metric that cannot be satisfied is a warning with places, and 9 only when required", "[system][mesh]") {

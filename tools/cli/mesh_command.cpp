@@ -91,13 +91,6 @@ GenerateOptions generate_options(const MeshArguments& arguments, const Inputs& i
   return options;
 }
 
-std::string description(const GenerateReport& report) {
-  const auto start = report.start == Start::Scratch        ? "from scratch"
-                     : report.start == Start::PreviousMesh ? "from the previous mesh"
-                                                           : "from the previous mesh, refined";
-  return std::string(start) + ", complexity " + format_number(report.complexity);
-}
-
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) print_warning(warning);
 }
@@ -123,7 +116,7 @@ ExitCode mesh(const MeshArguments& arguments) {
   const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs),
                                          inputs.previous ? &*inputs.previous : nullptr);
   print_warnings(result.report.warnings);
-  if (arguments.common.verbose) std::cerr << description(result.report) << std::endl;
+  if (arguments.common.verbose) std::cerr << "complexity " << format_number(result.report.complexity) << std::endl;
   for (const std::string& output : arguments.outputs) write_mesh_file(output, result.mesh);
   const Diagnosis& diagnosis = result.report.diagnosis;
   if (!satisfies_metric(diagnosis)) print_warnings(sentences(diagnosis));
@@ -131,7 +124,7 @@ ExitCode mesh(const MeshArguments& arguments) {
   const MeshQuality quality = measure_quality(result.mesh, result.metrics);
   const bool is_met = meets(result.mesh, quality, arguments.requirements);
   if (!is_met && satisfies_metric(diagnosis)) print_warnings(sentences(diagnosis));
-  if (!arguments.common.quiet) print_mesh_summary(std::cout, result.mesh, quality);
+  if (!arguments.common.quiet) print_mesh_summary(std::cout, result, quality);
   return is_met ? ExitCode::Done : ExitCode::TargetMissed;
 }
 

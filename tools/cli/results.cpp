@@ -29,6 +29,18 @@ void print_row(std::ostream& out, const IterationRow& row) {
   if (row.efficiency) out << "efficiency:          " << format_number(*row.efficiency) << "\n";
 }
 
+std::string_view words(Start start) {
+  switch (start) {
+    case Start::Scratch:
+      return "scratch";
+    case Start::PreviousMesh:
+      return "the previous mesh";
+    case Start::RefinedPreviousMesh:
+      return "the previous mesh, refined";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string format_number(double value, int digits) {
@@ -53,11 +65,12 @@ bool all_passed(std::ostream& out, std::span<const Verdict> verdicts) {
   return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.passed; });
 }
 
-void print_mesh_summary(std::ostream& out, const Mesh& mesh, const MeshQuality& quality) {
-  out << mesh.num_vertices() << " vertices, " << mesh.num_triangles() << " triangles\n"
+void print_mesh_summary(std::ostream& out, const GenerateResult& made, const MeshQuality& quality) {
+  out << made.mesh.num_vertices() << " vertices, " << made.mesh.num_triangles() << " triangles\n"
       << format_number(100.0 * quality.unit_edges) << " % unit edges, lengths " << format_number(quality.length_min)
       << " to " << format_number(quality.length_max) << ", quality mean " << format_number(quality.quality_mean)
-      << ", min " << format_number(quality.quality_min) << "\n";
+      << ", min " << format_number(quality.quality_min) << "\n"
+      << "started from " << words(made.report.start) << ": " << made.report.start_reason << "\n";
 }
 
 }  // namespace parmesan

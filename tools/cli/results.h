@@ -5,6 +5,7 @@
 #include <string>
 
 #include "adapt/run_case.h"
+#include "mesher/generate.h"
 #include "mesher/quality.h"
 
 namespace parmesan {
@@ -18,7 +19,7 @@ void print_summary(std::ostream& out, const RunResult& result);
 /// Prints one line per pass limit; true when all hold.
 bool all_passed(std::ostream& out, std::span<const Verdict> verdicts);
 
-/// Counts, lengths and quality of a mesh in two lines.
-void print_mesh_summary(std::ostream& out, const Mesh& mesh, const MeshQuality& quality);
+/// Counts, lengths, quality and start of a mesh in three lines.
+void print_mesh_summary(std::ostream& out, const GenerateResult& made, const MeshQuality& quality);
 
 }  // namespace parmesan
