@@ -1,6 +1,7 @@
 #include "mesher/particles/fast_schedule.h"
 
 #include "mesher/particles/boundary.h"
+#include "mesher/particles/chords.h"
 #include "mesher/particles/local_repair.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/motion.h"
@@ -82,6 +83,7 @@ void FastSchedule::run() {
   relax(options_.final_force_sweeps, {.momentum = momentum, .only_resolved = settled});
   relax(options_.final_apex_sweeps, {.motion = Motion::IdealApex, .momentum = momentum});
   for (int i = 0; i < options_.repairs; ++i) repair_places(particles_);
+  if (options_.repairs > 0) mend_chords(particles_);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "mesher/metric/metric_length.h"
 #include "mesher/parallel.h"
 #include "mesher/particles/metric_flips.h"
-#include "mesher/particles/star.h"
 
 namespace parmesan {
 namespace {
@@ -60,6 +59,8 @@ std::array<Vector, 8> directions(const Metric& m) {
   return {u, uv, v, vu, -1.0 * u, -1.0 * uv, -1.0 * v, -1.0 * vu};
 }
 
+}  // namespace
+
 Point best_place_near(const ParticleSystem& particles, const Star& star, VertexId v) {
   constexpr double first_step = 0.15;
   constexpr int max_steps = 4;
@@ -81,8 +82,6 @@ Point best_place_near(const ParticleSystem& particles, const Star& star, VertexI
   }
   return best;
 }
-
-}  // namespace
 
 namespace {
 

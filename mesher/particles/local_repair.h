@@ -1,18 +1,21 @@
 #pragma once
 
-#include "mesher/particles/particle_system.h"
+#include "mesher/particles/star.h"
 
 namespace parmesan {
 
-/// Moves the free particles that have an edge longer than 1.36 or shorter than 1 / 1.36, or a
-/// triangle of quality under 0.7, to the place near by where
+/// The place near a particle, whose star is given, where the sum
 ///
 ///     sum over triangles (1 - q)^2 + 3 sum over edges max(0, |ln l| - ln 1.36)^2
 ///
 /// is smallest; lengths are those of metric_edge_length. A search in eight directions of the metric,
-/// by steps of 0.15 and less. Then legalizes every edge. Returns how many were moved. Relaxation
-/// leaves about one edge in a hundred out of [1/sqrt2, sqrt2] where the metric varies much; this
-/// mends two of three. Cost: O(n).
+/// by steps of 0.15 and less.
+Point best_place_near(const ParticleSystem& particles, const Star& star, VertexId v);
+
+/// Moves the free particles that have an edge longer than 1.36 or shorter than 1 / 1.36, or a
+/// triangle of quality under 0.7, to the best place near by. Then legalizes every edge. Returns how many were moved.
+/// Relaxation leaves about one edge in a hundred out of [1/sqrt2, sqrt2] where the metric varies much; this mends two
+/// of three. Cost: O(n).
 int repair_places(ParticleSystem& particles);
 
 }  // namespace parmesan
