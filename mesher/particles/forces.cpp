@@ -6,6 +6,12 @@
 
 namespace parmesan {
 
+Vector shortened(const Vector& step, const Metric& m) {
+  constexpr double longest = 0.5;
+  const double length = m.length(step);
+  return length > longest ? longest / length * step : step;
+}
+
 Vector force_step(const Star& star, const Point& p, const Metric& m) {
   static const ForceTable<LennardJonesApproximation> potential{LennardJonesApproximation{}};
   Vector sum{};
@@ -13,9 +19,7 @@ Vector force_step(const Star& star, const Point& p, const Metric& m) {
     const Vector r = star.spoke(i).point - p;
     sum = sum - potential.force_over_length(squared_length_in_mean(r, m, star.spoke(i).metric)) * r;
   }
-  const Vector step = 2.0 * LennardJonesApproximation::step * sum;
-  const double length = m.length(step);
-  return length > 0.5 ? 0.5 / length * step : step;
+  return shortened(2.0 * LennardJonesApproximation::step * sum, m);
 }
 
 // The vector n = J S d / sqrt(det S), J the quarter turn, is orthogonal to d in S and as long.

@@ -5,6 +5,9 @@
 
 namespace parmesan {
 
+/// The step, cut to metric length 1/2 where it is longer.
+Vector shortened(const Vector& step, const Metric& m);
+
 /// Displacement of a particle at p that feels m, first order (thesis 3.12 with 5.16 and 5.8):
 ///
 ///     dx = -2 delta sum_j phi'(l_j) / l_j r_j,   r_j = x_j - p,   l_j^2 = r_j^T (M + M_j)/2 r_j

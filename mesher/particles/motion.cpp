@@ -43,12 +43,6 @@ Vector towards_target(const ParticleSystem& particles, VertexId v, double target
   return lerp(a, b, target) - particles.mesh().point(v);
 }
 
-Vector shortened(const Vector& step, const Metric& m) {
-  constexpr double longest = 0.5;
-  const double length = m.length(step);
-  return length > longest ? longest / length * step : step;
-}
-
 // The step of a free particle; zero for one that is to stay.
 Vector free_step(const ParticleSystem& particles, const Star& star, VertexId v, const SweepOptions& options) {
   const Point& p = particles.mesh().point(v);
