@@ -8,12 +8,18 @@
 namespace parmesan {
 namespace {
 
+double density_at(const MetricField& field, const Point& p, MetricHint& hint) {
+  const Metric m = field.at(p, hint);
+  require_usable(m, p);
+  return m.density();
+}
+
 struct Integrator {
   const MetricField& field;
   MetricHint hint = -1;
 
   double midpoint_rule(const Point& a, const Point& b, const Point& c) {
-    return 0.5 * doubled_area(a, b, c) * field.at((1.0 / 3.0) * (a + b + c), hint).density();
+    return 0.5 * doubled_area(a, b, c) * density_at(field, (1.0 / 3.0) * (a + b + c), hint);
   }
 
   double integrate(const Point& a, const Point& b, const Point& c, double coarse, int depth) {
@@ -55,7 +61,7 @@ std::vector<double> densities(const Mesh& mesh, const MetricField& field) {
     for (std::size_t t = ranges.first(range); t < ranges.last(range); ++t) {
       for (const int v : mesh.triangles[t]) {
         const auto i = static_cast<std::size_t>(v);
-        if (range_of[i] == range && density[i] == unknown) density[i] = field.at(mesh.points[i], hint).density();
+        if (range_of[i] == range && density[i] == unknown) density[i] = density_at(field, mesh.points[i], hint);
       }
     }
   });

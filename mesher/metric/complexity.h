@@ -10,6 +10,7 @@ namespace parmesan {
 /// A mesh of more than 1000 triangles is taken to resolve the field: its corners are sampled. The
 /// triangles of a coarser one are cut into four until the midpoint rule settles within 2 %, or they
 /// hold less than one unit cell; the first three cuts are always made. Cost: O(n + result) at worst.
+/// Errors: see require_usable.
 double integrate_complexity(const Mesh& mesh, const MetricField& field);
 
 /// Vertices of a unit mesh of that complexity, boundary effects aside.

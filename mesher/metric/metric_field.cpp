@@ -6,7 +6,7 @@
 
 namespace parmesan {
 
-void CallableField::throw_out_of_range(const Point& p) {
+void throw_unusable(const Point& p) {
   std::ostringstream message;
   message << "the metric at (" << p.x << ", " << p.y << ") is not finite and positive definite in double precision";
   throw InputError(message.str());

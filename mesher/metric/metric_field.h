@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "mesher/metric/metric.h"
@@ -25,6 +25,15 @@ class MetricField {
   }
 };
 
+[[noreturn]] void throw_unusable(const Point& p);
+
+/// Errors: InputError with the place unless the metric found there has a finite positive density. Its
+/// constructors see to that, but not where sizes leave the range of double, or in from_log(NaN).
+inline void require_usable(const Metric& m, const Point& p) {
+  const double d = determinant(m.tensor());
+  if (!(d > 0.0 && d <= std::numeric_limits<double>::max())) throw_unusable(p);
+}
+
 /// The same metric everywhere.
 class ConstantField final : public MetricField {
  public:
@@ -44,13 +53,11 @@ class CallableField final : public MetricField {
   using MetricField::at;
   Metric at(const Point& p, MetricHint&) const override {
     const Metric m = function_(p);
-    if (!(m.density() > 0.0) || !std::isfinite(m.density())) throw_out_of_range(p);
+    require_usable(m, p);
     return m;
   }
 
  private:
-  [[noreturn]] static void throw_out_of_range(const Point& p);
-
   std::function<Metric(const Point&)> function_;
 };
 

@@ -85,6 +85,7 @@ void ParticleSystem::set_level(const Level& level) {
 
 Metric ParticleSystem::evaluate(const Point& p, MetricHint& hint) const {
   const Metric m = field_->at(p, hint);
+  require_usable(m, p);
   if (level_.scale == 1.0 && !level_.isotropic) return m;
   return (level_.isotropic ? m.isotropised() : m).scaled(level_.scale);
 }

@@ -60,7 +60,7 @@ class ParticleSystem {
   void set_level(const Level& level);
   const Level& level() const { return level_; }
 
-  /// Metric of the field at this level; hint as in MetricField.
+  /// Metric of the field at this level; hint as in MetricField. Errors: see require_usable.
   Metric evaluate(const Point& p, MetricHint& hint) const;
 
  private:

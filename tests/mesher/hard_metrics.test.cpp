@@ -181,6 +181,25 @@ TEST_CASE("a metric that is not finite somewhere is refused with the place, one 
   CHECK_THROWS_AS(generate(support::unit_square(), huge), InputError);  // its determinant underflows
 }
 
+TEST_CASE("a user's own field that is not finite somewhere is refused with the place", "[mesher][generate][errors]") {
+  // One is met where the complexity is integrated, the other where particles are, on the boundary.
+  class HoleyField final : public MetricField {
+   public:
+    Metric at(const Point& p, MetricHint&) const override {
+      const bool in_hole = norm(p - Point{0.52, 0.51}) < 0.03;
+      return in_hole ? Metric::from_log({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}) : Metric::isotropic(0.02);
+    }
+  };
+  class FieldWithBadBoundary final : public MetricField {
+   public:
+    Metric at(const Point& p, MetricHint&) const override {
+      return p.y == 0.0 ? Metric::from_log({800.0, 0.0, 800.0}) : Metric::isotropic(0.1);  // exp overflows
+    }
+  };
+  CHECK_THROWS_WITH(generate(support::unit_square(), HoleyField()), Catch::Contains(") is not finite"));
+  CHECK_THROWS_WITH(generate(support::unit_square(), FieldWithBadBoundary()), Catch::Contains(", 0) is not finite"));
+}
+
 TEST_CASE("particles go though every star is far from the metric", "[mesher][generate]") {
   // The band of height 5e-7 is seen by chance: whatever is made for it must go when the next mesh misses it.
   const auto band = [](const Point& p) { return Metric::from_sizes(0.5, 5e-7 + 0.2 * std::abs(p.y - 0.5), 0.0); };
