@@ -120,6 +120,22 @@ TEST_CASE("exact Hessians find a thin layer that the first mesh misses", "[adapt
   CHECK(run.summary.iterations.back().efficiency.value() < 1.5);
 }
 
+TEST_CASE("misfits are reported of every mesh, and warned of for the last one only", "[adapt][loop]") {
+  // Corners of 4 degrees at both ends of a flat triangle.
+  const Case input = parse_case(R"({"name": "flat", "geometry": {"polygon": [[0, 0], [2, 0], [1, 0.07]]},
+      "problem": {"interpolate": "x^2 + y^2"}, "targets": {"max_iterations": 3}, "initial": {"vertices": 60}})",
+                                "test.json");
+  const Summary summary = adapt(input, {}).summary;
+  REQUIRE(summary.iterations.size() == 3);
+  int warnings = 0;
+  for (const IterationRow& row : summary.iterations) {
+    REQUIRE_FALSE(row.diagnosis.short_edges.empty());
+    CHECK(row.diagnosis.short_edges.front().reason == MisfitReason::SharpCorner);
+  }
+  for (const std::string& warning : summary.warnings) warnings += warning.find("shorter than 1/sqrt2") < warning.size();
+  CHECK(warnings == 1);
+}
+
 TEST_CASE("a size beyond the safety limit is refused", "[adapt][loop][errors]") {
   LoopOptions options;
   options.max_vertices = 300;
