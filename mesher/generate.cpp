@@ -147,8 +147,9 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   check_size(complexity, options.max_vertices);
 
   for (int i = 0; i < choice.refinements; ++i) start = refine_red(start);
-  Relaxed relaxed = from_scratch ? mesh_in_levels(domain, field, start, complexity, effort, options.hessian)
-                                 : mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options.hessian);
+  Relaxed relaxed = from_scratch
+                        ? mesh_in_levels(domain, field, start, complexity, effort, options.hessian)
+                        : mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options.hessian);
   result.report.start = choice.start;
   result.report.start_reason = std::move(choice.reason);
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);
