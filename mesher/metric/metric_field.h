@@ -16,7 +16,7 @@ class MetricField {
  public:
   virtual ~MetricField() = default;
 
-  /// The metric at p. hint is read as the place to start from and updated.
+  /// The metric at p. hint is read as the place to start from and updated. Called from several threads at once.
   virtual Metric at(const Point& p, MetricHint& hint) const = 0;
 
   Metric at(const Point& p) const {
@@ -45,8 +45,9 @@ class ConstantField final : public MetricField {
   Metric metric_;
 };
 
-/// A metric given by a function of the point. Errors: at throws InputError with the place where the
-/// function gives no finite positive density, whether by itself or because the sizes are out of range.
+/// A metric given by a function of the point, which is called from several threads at once. Errors: at throws
+/// InputError with the place where the function gives no finite positive density, whether by itself or because the
+/// sizes are out of range.
 class CallableField final : public MetricField {
  public:
   explicit CallableField(std::function<Metric(const Point&)> function) : function_(std::move(function)) {}
