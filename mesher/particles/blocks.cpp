@@ -4,6 +4,7 @@
 #include <numeric>
 
 namespace parmesan {
+
 std::size_t Blocks::half_of(const ParticleSystem& particles, VertexId v) const {
   return static_cast<std::size_t>(particles.place(v) / half_length_);
 }
