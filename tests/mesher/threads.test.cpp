@@ -17,7 +17,8 @@ using namespace parmesan;
 
 namespace {
 
-/// Sets the number of threads for a scope.
+/// Sets the number of threads for a scope. The tests go downwards: LLVM's OpenMP loses a few hundred bytes of its own
+/// each time that a team grows again, which the leak sanitizer takes for ours.
 class Threads {
  public:
   explicit Threads(int n) : before_(omp_get_max_threads()) { omp_set_num_threads(n); }
@@ -50,7 +51,7 @@ TEST_CASE("any number of threads makes the same mesh", "[mesher][threads]") {
   };
   const Mesh one = remeshed(1);
   REQUIRE(one.num_vertices() > 10000);
-  for (const int threads : {2, 3, 4, 8}) {
+  for (const int threads : {8, 4, 3, 2}) {
     CAPTURE(threads);
     const Mesh many = remeshed(threads);
     CHECK((many.points == one.points));
@@ -59,7 +60,7 @@ TEST_CASE("any number of threads makes the same mesh", "[mesher][threads]") {
 }
 
 TEST_CASE("what fails first in number is thrown, on any number of threads", "[mesher][threads][errors]") {
-  for (const int threads : {1, 2, 4}) {
+  for (const int threads : {4, 2, 1}) {
     const Threads scope(threads);
     try {
       parallel_for(100, [](int i) {
