@@ -1,8 +1,8 @@
 #include "mesher/particles/chords.h"
 
-#include "mesher/geometry/predicates.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/local_repair.h"
+#include "mesher/particles/metric_flips.h"
 #include "mesher/particles/star.h"
 
 namespace parmesan {
@@ -23,12 +23,6 @@ bool is_long_chord(const ParticleSystem& particles, EdgeId e) {
 }
 
 VertexId left_apex(const Triangulation& mesh, EdgeId e) { return mesh.dest(mesh.onext(e)); }
-
-bool can_flip(const Triangulation& mesh, EdgeId e) {
-  const Point& c = mesh.point(left_apex(mesh, e));
-  const Point& d = mesh.point(left_apex(mesh, sym(e)));
-  return orient2d(d, c, mesh.point(mesh.org(e))) > 0.0 && orient2d(c, d, mesh.point(mesh.dest(e))) > 0.0;
-}
 
 // Moves a particle to the best place near by. Are its edges unit edges there, and its triangles good?
 bool settles(ParticleSystem& particles, VertexId v) {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "mesher/geometry/predicates.h"
 #include "mesher/metric/metric_length.h"
+#include "mesher/particles/metric_flips.h"
 #include "mesher/particles/triangle_error.h"
 
 namespace parmesan {
@@ -165,13 +165,11 @@ int ErrorDescent::move_particles() {
 bool ErrorDescent::wants_flip(EdgeId e) const {
   constexpr double margin = 1e-10;
   const Triangulation& mesh = particles_.mesh();
-  if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
+  if (mesh.is_constrained(e) || !can_flip(mesh, e)) return false;  // a free edge has triangles on both sides
   const VertexId a = mesh.org(e);
   const VertexId b = mesh.dest(e);
   const VertexId c = mesh.dest(mesh.onext(e));
   const VertexId d = mesh.dest(mesh.oprev(e));
-  if (orient2d(mesh.point(d), mesh.point(c), mesh.point(a)) <= 0.0) return false;
-  if (orient2d(mesh.point(c), mesh.point(d), mesh.point(b)) <= 0.0) return false;
   const double error_before = triangle_error(a, b, c) + triangle_error(b, a, d);
   const double error_after = triangle_error(d, c, a) + triangle_error(c, d, b);
   if (!(error_after < (1.0 - margin) * error_before)) return false;

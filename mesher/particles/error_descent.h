@@ -22,7 +22,7 @@ struct ErrorDescentOptions {
 /// sum of squared_error over the triangles smaller, each in the mean Hessian of its vertices.
 ///
 /// The Hessian keeps its sign: where det H < 0 the error is four times as sensitive to shape as |H| says, and
-/// moves that lower an energy of |H| do not lower the error (DESIGN, section 3). Only the L2 norm is meant: in other
+/// moves that lower an energy of |H| do not lower the error. Only the L2 norm is meant: in other
 /// norms other triangles are best. The limit on lengths costs 0.2 % of error; it keeps the mesh what the metric
 /// asked for, and particles from being misled where the mesh does not resolve the function.
 ///

@@ -8,8 +8,8 @@
 
 #include "mesher/geometry/predicates.h"
 #include "mesher/metric/metric_length.h"
-#include "mesher/parallel.h"
 #include "mesher/particles/metric_flips.h"
+#include "mesher/particles/selection.h"
 
 namespace parmesan {
 namespace {
@@ -83,27 +83,13 @@ Point best_place_near(const ParticleSystem& particles, const Star& star, VertexI
   return best;
 }
 
-namespace {
-
-std::vector<VertexId> particles_to_repair(const ParticleSystem& particles) {
-  const Triangulation& mesh = particles.mesh();
-  const auto size = static_cast<std::size_t>(mesh.num_slots());
-  return collect<VertexId>(size, [&](std::size_t first, std::size_t last, std::vector<VertexId>& found) {
-    Star star;
-    for (auto v = static_cast<VertexId>(first); v < static_cast<VertexId>(last); ++v) {
-      if (!mesh.has_vertex(v) || !particles.is_free(v)) continue;
-      star.gather(particles, v);
-      if (needs_repair(star, mesh.point(v), particles.metric(v))) found.push_back(v);
-    }
-  });
-}
-
-}  // namespace
-
 int repair_places(ParticleSystem& particles) {
   Star star;
   int moved = 0;
-  for (const VertexId v : particles_to_repair(particles)) {
+  const auto selects = [&](const Star& around, VertexId v) {
+    return needs_repair(around, particles.mesh().point(v), particles.metric(v));
+  };
+  for (const VertexId v : select_free_particles(particles, selects)) {
     star.gather(particles, v);
     const Point from = particles.mesh().point(v);
     if (!needs_repair(star, from, particles.metric(v))) continue;  // since a neighbour moved

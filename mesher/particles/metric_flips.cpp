@@ -10,9 +10,8 @@
 namespace parmesan {
 namespace {
 
-// Both triangles of the flipped quadrilateral a, b (ends of the edge), c (left), d (right).
-bool is_flip_valid(const Point& a, const Point& b, const Point& c, const Point& d, const Metric& m) {
-  if (orient2d(d, c, a) <= 0.0 || orient2d(c, d, b) <= 0.0) return false;
+// Would flipping the edge from a to b, with c on its left and d on its right, make no sliver worse?
+bool spares_slivers(const Point& a, const Point& b, const Point& c, const Point& d, const Metric& m) {
   constexpr double sliver = 0.05;
   const double after = std::min(mean_ratio(d, c, a, m), mean_ratio(c, d, b, m));
   if (after >= sliver) return true;
@@ -30,6 +29,12 @@ bool fails_in_circle(const Point& a, const Point& b, const Point& c, const Point
   return sin_a * cos_b + cos_a * sin_b > margin * (std::abs(sin_a * cos_b) + std::abs(cos_a * sin_b));
 }
 
+bool can_flip(const Triangulation& mesh, EdgeId e) {
+  const Point& c = mesh.point(mesh.dest(mesh.onext(e)));
+  const Point& d = mesh.point(mesh.dest(mesh.oprev(e)));
+  return orient2d(d, c, mesh.point(mesh.org(e))) > 0.0 && orient2d(c, d, mesh.point(mesh.dest(e))) > 0.0;
+}
+
 bool wants_flip(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
@@ -43,7 +48,7 @@ bool wants_flip(const ParticleSystem& particles, EdgeId e) {
   const Point& d = mesh.point(vd);
   const Metric m =
       mean(mean(particles.metric(va), particles.metric(vb)), mean(particles.metric(vc), particles.metric(vd)));
-  return fails_in_circle(a, b, c, d, m.tensor()) && is_flip_valid(a, b, c, d, m);
+  return fails_in_circle(a, b, c, d, m.tensor()) && can_flip(mesh, e) && spares_slivers(a, b, c, d, m);
 }
 
 namespace {

@@ -10,6 +10,9 @@ namespace parmesan {
 /// metric m: is d inside of the ellipse through a, b and c? With a margin against cycles.
 bool fails_in_circle(const Point& a, const Point& b, const Point& c, const Point& d, const SymmetricTensor& m);
 
+/// Would both triangles be counter-clockwise, by exact orientation, if e were flipped? e must be free.
+bool can_flip(const Triangulation& mesh, EdgeId e);
+
 /// Should e give way to the other diagonal: the in-circle test 5.13 in the mean metric of the four
 /// vertices, with a margin against cycles. True only if e is free, both new triangles are
 /// counter-clockwise by exact orientation, and no sliver (quality under 0.05) becomes worse.

@@ -11,7 +11,7 @@
 #include "mesher/metric/metric_length.h"
 #include "mesher/parallel.h"
 #include "mesher/particles/metric_flips.h"
-#include "mesher/particles/star.h"
+#include "mesher/particles/selection.h"
 
 namespace parmesan {
 namespace {
@@ -141,20 +141,6 @@ bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId 
   return false;
 }
 
-// In the order of their numbers.
-std::vector<VertexId> superfluous_particles(const ParticleSystem& particles, const PopulationRules& rules) {
-  const Triangulation& mesh = particles.mesh();
-  const auto size = static_cast<std::size_t>(mesh.num_slots());
-  return collect<VertexId>(size, [&](std::size_t first, std::size_t last, std::vector<VertexId>& found) {
-    Star star;
-    for (auto v = static_cast<VertexId>(first); v < static_cast<VertexId>(last); ++v) {
-      if (!mesh.has_vertex(v) || !particles.is_free(v)) continue;
-      star.gather(particles, v);
-      if (is_superfluous(particles, star, v, rules)) found.push_back(v);
-    }
-  });
-}
-
 // The spokes of v, the shortest first.
 std::vector<LongEdge> spokes_by_length(const ParticleSystem& particles, VertexId v) {
   std::vector<LongEdge> spokes;
@@ -175,7 +161,8 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
   Star star;
   std::vector<EdgeId> stack;
   int annihilated = 0;
-  for (const VertexId v : superfluous_particles(particles, rules)) {
+  const auto selects = [&](const Star& around, VertexId v) { return is_superfluous(particles, around, v, rules); };
+  for (const VertexId v : select_free_particles(particles, selects)) {
     star.gather(particles, v);
     if (!is_superfluous(particles, star, v, rules)) continue;  // since a neighbour went
     const std::vector<LongEdge> spokes = spokes_by_length(particles, v);

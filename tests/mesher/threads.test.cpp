@@ -12,6 +12,7 @@
 #include "mesher/particles/blocks.h"
 #include "mesher/triangulation/conversion.h"
 #include "tests/support/domains.h"
+#include "tests/support/meshes.h"
 
 using namespace parmesan;
 
@@ -77,9 +78,7 @@ TEST_CASE("each cut has every particle once, in the territory of its block", "[m
   const Domain domain = support::unit_square();
   const CallableField field(ring);
   const Mesh mesh = generate(domain, field).mesh;
-  std::vector<int> segments;
-  for (const int label : mesh.labels) segments.push_back(label - 1);
-  const ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+  const ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   const Blocks blocks(particles);
   REQUIRE(mesh.num_vertices() > 10000);
   for (const int number : {0, 1}) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "mesher/mesh.h"
 
@@ -11,6 +12,13 @@ namespace parmesan::support {
 
 /// Labels of the sides of the rectangles made here.
 enum SideLabel { Bottom = 1, Right = 2, Top = 3, Left = 4 };
+
+/// For each edge of a mesh whose labels are these, the index of its segment in unit_square().
+inline std::vector<int> segments_of(const Mesh& mesh) {
+  std::vector<int> segments;
+  for (const int label : mesh.labels) segments.push_back(label - 1);
+  return segments;
+}
 
 /// nx by ny cells on [x0, x1] x [y0, y1], two triangles each.
 ///

@@ -22,9 +22,7 @@ namespace {
 /// A grid of the unit square, relaxed and repaired, its chords not yet mended.
 ParticleSystem relaxed(int cells, const Domain& domain, const MetricField& field) {
   const Mesh mesh = support::rectangle_mesh(cells, cells);
-  std::vector<int> segments;
-  for (const int label : mesh.labels) segments.push_back(label - 1);
-  ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+  ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   FastScheduleOptions effort;
   effort.repairs = 0;
   run_fast_schedule(particles, effort);

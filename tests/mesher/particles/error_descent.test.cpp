@@ -30,9 +30,7 @@ struct Square {
   Square() : domain(support::unit_square()), field(Metric::isotropic(size)) {}
   ParticleSystem particles() const {
     const Mesh mesh = support::random_square(20, 0.2, 3);
-    std::vector<int> segments;
-    for (const int label : mesh.labels) segments.push_back(label - 1);
-    return ParticleSystem(from_mesh(mesh, segments), domain, field);
+    return ParticleSystem(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   }
   Mesh mesh_of(const ParticleSystem& particles) const { return to_mesh(particles.mesh(), std::array{1, 2, 3, 4}).mesh; }
 
@@ -187,16 +185,14 @@ TEST_CASE("a descent leaves constrained edges alone", "[mesher][particles]") {
   // Two triangles whose diagonal (0, 0) to (1, 1) the function u = (x + y)^2 would flip: it varies along it only.
   Mesh mesh = support::rectangle_mesh(1, 1);
   Domain domain = support::unit_square();
-  std::vector<int> segments;
-  for (const int label : mesh.labels) segments.push_back(label - 1);
   const bool constrained = GENERATE(false, true);
   if (constrained) {
     domain.segments.push_back({0, 2, 5});
     mesh.edges.push_back({0, 3});
-    segments.push_back(4);
+    mesh.labels.push_back(5);
   }
   const ConstantField field(Metric::isotropic(1.0));
-  ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+  ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   const CallableTensorField hessian([](const Point&) { return SymmetricTensor{2.0, 2.0, 2.0}; });
   CHECK(ErrorDescent(particles, hessian).flip_edges() == (constrained ? 0 : 1));
 }

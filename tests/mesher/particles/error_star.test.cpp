@@ -16,11 +16,9 @@ namespace {
 struct Middle {
   explicit Middle(SymmetricTensor (*hessian)(const Point&)) {
     mesh = support::random_square(4, 0.2, 2);
-    std::vector<int> segments;
-    for (const int label : mesh.labels) segments.push_back(label - 1);
     const Domain domain = support::unit_square();
     const ConstantField field(Metric::isotropic(0.25));
-    const ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+    const ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
     std::vector<SymmetricTensor> hessians;
     for (const Point& p : mesh.points) hessians.push_back(hessian(p));
     star.gather(particles, hessians, vertex);

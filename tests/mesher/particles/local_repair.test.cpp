@@ -23,9 +23,7 @@ Metric across_a_curve(const Point& p) {
 
 ParticleSystem relaxed(const Domain& domain, const MetricField& field) {
   const Mesh mesh = support::random_square(30, 0.2, 5);
-  std::vector<int> segments;
-  for (const int label : mesh.labels) segments.push_back(label - 1);
-  ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+  ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   FastScheduleOptions effort;
   effort.repairs = 0;
   run_fast_schedule(particles, effort);

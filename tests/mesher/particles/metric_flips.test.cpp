@@ -27,9 +27,7 @@ TEST_CASE("flips in a constant metric give the Delaunay triangulation of the str
   const Mesh mesh = support::random_square(20, 0.2, 7);
   const Domain domain = support::unit_square();
   const ConstantField field(Metric::from_sizes(h1, 1.0, angle));
-  std::vector<int> segments;
-  for (const int label : mesh.labels) segments.push_back(label - 1);
-  ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+  ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   CHECK(flip_all(particles) > 0);
   CHECK(check(particles.mesh()).empty());
   CHECK(flip_all(particles) == 0);

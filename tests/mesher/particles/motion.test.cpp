@@ -17,9 +17,7 @@ namespace {
 struct Square {
   Square(int n, double disorder, const Metric& metric) : domain(support::unit_square()), field(metric) {
     const Mesh mesh = support::random_square(n, disorder, 3);
-    std::vector<int> segments;
-    for (const int label : mesh.labels) segments.push_back(label - 1);
-    triangulation = from_mesh(mesh, segments);
+    triangulation = from_mesh(mesh, support::segments_of(mesh));
   }
   ParticleSystem particles() const { return ParticleSystem(triangulation, domain, field); }
 
@@ -82,9 +80,7 @@ TEST_CASE("a sweep of resolved stars leaves the others where they are", "[mesher
   // Sizes jump by 2 at x = 0.45: the stars of the columns x = 0.25 and x = 0.5 cross it.
   const CallableField field([](const Point& p) { return Metric::isotropic(p.x < 0.45 ? 0.2 : 0.4); });
   const Mesh mesh = support::random_square(4, 0.2, 3);
-  std::vector<int> segments;
-  for (const int label : mesh.labels) segments.push_back(label - 1);
-  ParticleSystem particles(from_mesh(mesh, segments), domain, field);
+  ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   const std::vector<double> targets(25, std::numeric_limits<double>::quiet_NaN());
   Star star;
   sweep(particles, Blocks(particles), 0, targets, {.only_resolved = true});

@@ -17,9 +17,7 @@ namespace {
 
 ParticleSystem grid_particles(int n, const Domain& domain, const MetricField& field) {
   const Mesh mesh = support::rectangle_mesh(n, n);
-  std::vector<int> segments;
-  for (const int label : mesh.labels) segments.push_back(label - 1);
-  return ParticleSystem(from_mesh(mesh, segments), domain, field);
+  return ParticleSystem(from_mesh(mesh, support::segments_of(mesh)), domain, field);
 }
 
 // Sum of the metric areas of all triangles over that of a unit triangle.
