@@ -95,6 +95,23 @@ class ElementSource {
   int region_;
 };
 
+/// 1 for the triangles whose orbits differ and for those that share an edge with one: where a layer crosses
+/// triangles that do not resolve it, the orbits of a few agree by chance.
+std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sample>& samples, double tolerance) {
+  std::vector<char> rough_vertex(static_cast<std::size_t>(mesh.num_vertices()), 0);
+  for (std::size_t t = 0; t < samples.size(); ++t) {
+    if (samples[t].orbit_error <= std::max(tolerance, OrbitTolerance * samples[t].magnitude)) continue;
+    for (const int v : mesh.triangles[t]) rough_vertex[static_cast<std::size_t>(v)] = 1;
+  }
+  std::vector<char> result(samples.size());
+  for (std::size_t t = 0; t < samples.size(); ++t) {
+    const std::array<int, 3>& v = mesh.triangles[t];
+    const auto is_rough = [&](int i) { return rough_vertex[static_cast<std::size_t>(i)] != 0; };
+    result[t] = std::count_if(v.begin(), v.end(), is_rough) >= 2;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem) {
@@ -107,10 +124,11 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
     magnitude += samples[t].magnitude;
   }
   const double tolerance = GlobalTolerance * magnitude / static_cast<double>(samples.size());
+  const std::vector<char> suspected = near_rough_triangles(mesh, samples, tolerance);
   std::vector<SourceMoments> result(samples.size());
   for (std::size_t t = 0; t < samples.size(); ++t) {
     result[t] = samples[t].moments;
-    if (samples[t].orbit_error <= std::max(tolerance, OrbitTolerance * samples[t].magnitude)) continue;
+    if (!suspected[t]) continue;
     const P1Element element = p1_element(mesh, static_cast<int>(t));
     result[t] = ElementSource(problem, element, mesh.regions[t]).refine({}, samples[t], tolerance, 1);
   }
