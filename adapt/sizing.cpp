@@ -12,6 +12,7 @@ constexpr double max_growth = 4.0;
 constexpr double careful_max_growth = 2.0;
 constexpr double resolving_order = 1.5;  // an error that falls faster says that meshes only begin to resolve
 constexpr double margin = 0.02;          // on a predicted size, doubled after each pass that missed by a little
+constexpr double early_gain = 1.2;       // a pass that gained more was not the last that would have
 constexpr double careful_growth = 1.5;   // a prediction beyond is approached from below
 constexpr double careful_share = 0.75;
 constexpr double still_falling = 1.5;
@@ -73,8 +74,14 @@ double order_seen(std::span<const SizeStep> history) {
   return std::log(before.error / now.error) / std::log(now.vertices / before.vertices);
 }
 
+// Whether the size before was left while passes still gained.
+bool came_early(std::span<const SizeStep> history) {
+  const std::size_t before = rung_start(history);
+  return before >= 2 && gain_of_last_pass(history.first(before)) > early_gain;
+}
+
 double largest_growth(std::span<const SizeStep> history) {
-  return order_seen(history) > resolving_order ? careful_max_growth : max_growth;
+  return order_seen(history) > resolving_order || came_early(history) ? careful_max_growth : max_growth;
 }
 
 double wanted_size(std::span<const SizeStep> history, const SizeGoal& goal) {

@@ -43,7 +43,8 @@ double observed_order(std::span<const SizeStep> history);
 ///   more than 1.25 against the size before;
 /// - the last size (the one aimed at, or the cap) until a pass gains less than 5 %, at least 3 passes;
 /// - no size more than 8 times, and none grows by more than 4 times, by 2 where the error fell faster
-///   than order 1.5: there meshes only begin to resolve the solution, and fewer vertices may do;
+///   than order 1.5 or the last pass at the size before gained more than 1.2: there meshes only begin to
+///   resolve the solution, and fewer vertices may do;
 /// - towards error targets the next size is predicted with the observed order and 2 % on top, doubled
 ///   up to 16 % after each pass that missed by little: meshes follow small changes of size with delay.
 ///   Of a prediction beyond 1.5 times the last size only 3/4 is asked for: a mesh that has not yet

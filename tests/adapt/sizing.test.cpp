@@ -56,6 +56,13 @@ TEST_CASE("next_size at most doubles a size whose error fell faster than meshes 
   CHECK(next_size(history, to_error).asked == 6400);
 }
 
+TEST_CASE("next_size at most doubles after a size that was left while passes still gained", "[adapt][sizing]") {
+  std::vector<SizeStep> history{{400, 400, 900}, {400, 400, 780}, {400, 400, 600}, {1600, 1600, 150}};
+  CHECK(next_size(history, to_error).asked == 3200);
+  history[2].error = 700;
+  CHECK(next_size(history, to_error).asked == 6400);
+}
+
 TEST_CASE("next_size repeats a size at which the mesh has not yet found the layer", "[adapt][sizing]") {
   const std::vector<SizeStep> settled{{400, 400, 30, true}, {400, 400, 20, true}, {400, 400, 19, true}};
   std::vector<SizeStep> history = settled;
