@@ -35,8 +35,7 @@ std::vector<int> segment_labels(const Domain& domain) {
   return labels;
 }
 
-void check_size(double complexity, std::int64_t max_vertices) {
-  const double expected = expected_vertices(complexity);
+void check_size(double expected, std::int64_t max_vertices) {
   if (expected <= static_cast<double>(max_vertices)) return;
   const bool is_countable = expected < 1e18;
   throw LimitError("the metric asks for " +
@@ -78,11 +77,10 @@ Mesh in_local_order(Mesh mesh) {
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
 // Without momentum: it pays when a later remesh settles what it has stirred up.
-Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double complexity,
+Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double expected,
                        FastScheduleOptions effort, const TensorField* hessian) {
   effort.momentum = 0.0;
-  const int levels = std::max(
-      0, static_cast<int>(std::lround(std::log(expected_vertices(complexity) / coarsest_vertices) / std::log(4.0))));
+  const int levels = std::max(0, static_cast<int>(std::lround(std::log(expected / coarsest_vertices) / std::log(4.0))));
   const FastScheduleOptions coarse_effort{.rounds = 2,
                                           .sweeps_per_round = 2,
                                           .final_force_sweeps = 0,
@@ -143,12 +141,13 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   const bool from_scratch = choice.start == Start::Scratch;
   Mesh start = from_scratch ? to_mesh(triangulate(domain), segment_numbers(domain)).mesh : *previous;
   if (!from_scratch) start.labels = *segments;
-  const double complexity = integrate_complexity(start, field);
-  check_size(complexity, options.max_vertices);
+  const double expected =
+      from_scratch ? expected_vertices(integrate_complexity(start, field)) : choice.expected_vertices;
+  check_size(expected, options.max_vertices);
 
   for (int i = 0; i < choice.refinements; ++i) start = refine_red(start);
   Relaxed relaxed = from_scratch
-                        ? mesh_in_levels(domain, field, start, complexity, effort, options.hessian)
+                        ? mesh_in_levels(domain, field, start, expected, effort, options.hessian)
                         : mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options.hessian);
   result.report.start = choice.start;
   result.report.start_reason = std::move(choice.reason);
@@ -156,7 +155,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   result.mesh = with_user_labels(std::move(relaxed.mesh), domain);
   if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain);
   result.metrics = std::move(relaxed.metrics);
-  result.report.complexity = complexity;
+  result.report.complexity = integrate_complexity(result.mesh, result.metrics);
   validate(result.mesh);
   return result;
 }

@@ -1,6 +1,9 @@
 #include "mesher/mesh.h"
 
 #include <cmath>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
@@ -69,24 +72,39 @@ void check_triangles(const Mesh& mesh) {
   }
 }
 
-void check_side(const MeshSide& side) {
+bool is_sound(const MeshSide& side) {
+  if (side.left < 0 && side.right < 0) return false;
+  return !side.is_boundary() || (side.edge >= 0 && side.edge_goes_down != (side.right < 0));
+}
+
+// That of the lowest end points. What for_each_side itself finds wrong comes first.
+std::optional<MeshSide> lowest_unsound_side(const Mesh& mesh) {
+  std::mutex mutex;
+  std::optional<MeshSide> lowest;
+  const auto ends = [](const MeshSide& side) { return std::pair(side.low, side.high); };
+  for_each_side(mesh, [&](const MeshSide& side) {
+    if (is_sound(side)) return;
+    const std::lock_guard lock(mutex);
+    if (!lowest || ends(side) < ends(*lowest)) lowest = side;
+  });
+  return lowest;
+}
+
+[[noreturn]] void refuse(const MeshSide& side) {
   const auto name = [&side] { return std::to_string(side.low) + "-" + std::to_string(side.high); };
   if (side.left < 0 && side.right < 0) {
     throw GeometryError("edge " + std::to_string(side.edge) + " (" + name() + ") is not a side of any triangle",
                         {side.edge});
   }
-  if (!side.is_boundary()) return;
   if (side.edge < 0) {
     const int triangle = side.left < 0 ? side.right : side.left;
     throw GeometryError(
         "triangle " + std::to_string(triangle) + " has the boundary side " + name() + ", which no labelled edge covers",
         {triangle});
   }
-  if (side.edge_goes_down == (side.right < 0)) {
-    throw GeometryError("boundary edge " + std::to_string(side.edge) + " (" + name() +
-                            ") has the domain to its right; boundary edges have it to their left",
-                        {side.edge});
-  }
+  throw GeometryError("boundary edge " + std::to_string(side.edge) + " (" + name() +
+                          ") has the domain to its right; boundary edges have it to their left",
+                      {side.edge});
 }
 
 }  // namespace
@@ -102,7 +120,7 @@ void validate(const Mesh& mesh) {
   check_indices(mesh.triangles, mesh.num_vertices(), "triangle");
   check_indices(mesh.edges, mesh.num_vertices(), "edge");
   check_triangles(mesh);
-  for (const MeshSide& side : sides_of(mesh)) check_side(side);
+  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh)) refuse(*side);
 }
 
 }  // namespace parmesan

@@ -1,59 +1,39 @@
 #include "mesher/mesh_sides.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 
 #include "mesher/errors.h"
+#include "mesher/half_edges.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 
 namespace {
 
-/// What a directed edge belongs to, and whether it goes from its lower to its higher vertex.
-enum class Use : std::uint64_t { TriangleUp, TriangleDown, EdgeUp, EdgeDown };
-
-/// high, use and index of the owner in one word, so that a sort brings equal edges together.
-std::uint64_t packed(int high, Use use, int owner) {
-  return static_cast<std::uint64_t>(high) << 33 | static_cast<std::uint64_t>(use) << 31 |
-         static_cast<std::uint64_t>(owner);
-}
-int high_of(std::uint64_t key) { return static_cast<int>(key >> 33); }
-Use use_of(std::uint64_t key) { return static_cast<Use>(key >> 31 & 3U); }
-int owner_of(std::uint64_t key) { return static_cast<int>(key & 0x7FFFFFFFU); }
-
-/// Calls f(a, b, is_edge, owner) for every directed edge.
-template <class F>
-void for_each_directed_edge(const Mesh& mesh, F f) {
-  int owner = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    f(a, b, false, owner);
-    f(b, c, false, owner);
-    f(c, a, false, owner++);
-  }
-  owner = 0;
-  for (const auto& [a, b] : mesh.edges) f(a, b, true, owner++);
-}
-
-/// Directed edges by their lower vertex v: keys[first[v]] .. keys[first[v + 1] - 1].
-struct Buckets {
-  std::vector<std::size_t> first;
-  std::vector<std::uint64_t> keys;
+/// A labelled edge by its end points.
+struct LabelledEdge {
+  int low;
+  int high;
+  int number;
+  bool goes_down;
 };
 
-Buckets sorted_into_buckets(const Mesh& mesh) {
-  Buckets buckets;
-  buckets.first.assign(mesh.points.size() + 2, 0);
-  for_each_directed_edge(
-      mesh, [&buckets](int a, int b, bool, int) { ++buckets.first[static_cast<std::size_t>(std::min(a, b)) + 2]; });
-  for (std::size_t v = 2; v < buckets.first.size(); ++v) buckets.first[v] += buckets.first[v - 1];
-  buckets.keys.resize(buckets.first.back());
-  for_each_directed_edge(mesh, [&buckets](int a, int b, bool is_edge, int owner) {
-    const Use use = is_edge ? (a < b ? Use::EdgeUp : Use::EdgeDown) : (a < b ? Use::TriangleUp : Use::TriangleDown);
-    buckets.keys[buckets.first[static_cast<std::size_t>(std::min(a, b)) + 1]++] = packed(std::max(a, b), use, owner);
-  });
-  return buckets;
+bool comes_first(const LabelledEdge& a, const LabelledEdge& b) {
+  return a.low != b.low ? a.low < b.low : a.high < b.high;
+}
+
+std::vector<LabelledEdge> labelled_edges(const Mesh& mesh) {
+  std::vector<LabelledEdge> edges;
+  edges.reserve(mesh.edges.size());
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    const auto [a, b] = mesh.edges[i];
+    edges.push_back({std::min(a, b), std::max(a, b), static_cast<int>(i), a > b});
+  }
+  std::ranges::stable_sort(edges, comes_first);
+  return edges;
 }
 
 /// Puts the owner into its slot, which must be free.
@@ -67,38 +47,64 @@ void claim(int* slot, int owner, const char* kind, const MeshSide& side) {
   *slot = owner;
 }
 
-void add_use(MeshSide* side, Use use, int owner) {
-  switch (use) {
-    case Use::TriangleUp:
-      return claim(&side->left, owner, "triangle", *side);
-    case Use::TriangleDown:
-      return claim(&side->right, owner, "triangle", *side);
-    case Use::EdgeUp:
-    case Use::EdgeDown:
-      side->edge_goes_down = use == Use::EdgeDown;
-      return claim(&side->edge, owner, "edge", *side);
+/// Merges the triangles' sides and the labelled edges that start at one lower end point.
+class Fan {
+ public:
+  Fan(const Mesh& mesh, int low, std::span<const HalfEdge> sides, std::span<const LabelledEdge> edges)
+      : mesh_(mesh), low_(low), sides_(sides), edges_(edges) {}
+
+  bool is_empty() const { return sides_.empty() && edges_.empty(); }
+  MeshSide take_next();
+
+ private:
+  const Mesh& mesh_;
+  int low_;
+  std::span<const HalfEdge> sides_;
+  std::span<const LabelledEdge> edges_;
+};
+
+MeshSide Fan::take_next() {
+  constexpr int none = std::numeric_limits<int>::max();
+  MeshSide side{low_, std::min(sides_.empty() ? none : sides_[0].high, edges_.empty() ? none : edges_[0].high)};
+  if (side.high == low_) throw GeometryError("a side goes from point " + std::to_string(low_) + " to itself", {low_});
+  for (; !sides_.empty() && sides_[0].high == side.high; sides_ = sides_.subspan(1))
+    claim(goes_up(mesh_, sides_[0]) ? &side.left : &side.right, sides_[0].triangle(), "triangle", side);
+  for (; !edges_.empty() && edges_[0].high == side.high; edges_ = edges_.subspan(1)) {
+    side.edge_goes_down = edges_[0].goes_down;
+    claim(&side.edge, edges_[0].number, "edge", side);
   }
+  return side;
+}
+
+/// Calls f(range, side) for every side, range by range of the lower end points.
+template <class F>
+void for_each_side_by_ranges(const Mesh& mesh, F f) {
+  const HalfEdges half_edges(mesh);
+  const std::vector<LabelledEdge> edges = labelled_edges(mesh);
+  const Ranges ranges(mesh.points.size());
+  parallel_for(ranges.count(), [&](int range) {
+    auto edge = std::ranges::lower_bound(edges, static_cast<int>(ranges.first(range)), {}, &LabelledEdge::low);
+    for (std::size_t v = ranges.first(range); v < ranges.last(range); ++v) {
+      const int low = static_cast<int>(v);
+      const auto first_edge = edge;
+      while (edge != edges.end() && edge->low == low) ++edge;
+      Fan fan(mesh, low, half_edges.at(v), std::span(first_edge, edge));
+      while (!fan.is_empty()) f(range, fan.take_next());
+    }
+  });
 }
 
 }  // namespace
 
+void for_each_side(const Mesh& mesh, const std::function<void(const MeshSide&)>& f) {
+  for_each_side_by_ranges(mesh, [&](int, const MeshSide& side) { f(side); });
+}
+
 std::vector<MeshSide> sides_of(const Mesh& mesh) {
-  Buckets buckets = sorted_into_buckets(mesh);
-  std::vector<MeshSide> sides;
-  sides.reserve(mesh.triangles.size() * 3 / 2 + mesh.edges.size() + 3);
-  for (std::size_t low = 0; low < mesh.points.size(); ++low) {
-    const std::span bucket(buckets.keys.data() + buckets.first[low], buckets.keys.data() + buckets.first[low + 1]);
-    std::sort(bucket.begin(), bucket.end());
-    int last_high = -1;
-    for (const std::uint64_t key : bucket) {
-      if (high_of(key) != last_high) sides.push_back({static_cast<int>(low), last_high = high_of(key)});
-      if (last_high == static_cast<int>(low)) {
-        throw GeometryError("a side goes from point " + std::to_string(low) + " to itself", {last_high});
-      }
-      add_use(&sides.back(), use_of(key), owner_of(key));
-    }
-  }
-  return sides;
+  std::vector<std::vector<MeshSide>> of_range(static_cast<std::size_t>(Ranges(mesh.points.size()).count()));
+  for_each_side_by_ranges(
+      mesh, [&](int range, const MeshSide& side) { of_range[static_cast<std::size_t>(range)].push_back(side); });
+  return joined(of_range);
 }
 
 }  // namespace parmesan

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "mesher/mesh.h"
@@ -20,11 +21,14 @@ struct MeshSide {
   bool is_boundary() const { return (left < 0) != (right < 0); }
 };
 
-/// All sides, sorted by (low, high). All indices of the mesh must be in range.
+/// Calls f for every side, from several threads. All indices of the mesh must be in range.
 ///
 /// Errors: GeometryError when two triangles have a side in the same direction (so they overlap, or
-/// three meet there), when an edge is listed twice, or is a point.
-/// Cost: O(n), a bucket sort.
+/// three meet there), when an edge is listed twice, or is a point. Of several errors, f's included, that of the lowest
+/// side is thrown. Cost: O(n).
+void for_each_side(const Mesh& mesh, const std::function<void(const MeshSide&)>& f);
+
+/// All sides, sorted by (low, high). Errors: as for_each_side.
 std::vector<MeshSide> sides_of(const Mesh& mesh);
 
 }  // namespace parmesan

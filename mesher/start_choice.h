@@ -17,8 +17,9 @@ std::string_view to_string(Start start);
 /// How to make use of a previous mesh.
 struct StartChoice {
   Start start = Start::Scratch;
-  int refinements = 0;  // red, of the previous mesh, before its particles are taken
-  std::string reason;   // with the measurement that decided
+  int refinements = 0;             // red, of the previous mesh, before its particles are taken
+  double expected_vertices = 0.0;  // of the mesh to be made, where it starts from the previous one
+  std::string reason;              // with the measurement that decided
 };
 
 /// Is the previous mesh, perhaps red-refined, near enough to a unit mesh of the field to start from?

@@ -69,13 +69,13 @@ std::vector<double> densities(const Mesh& mesh, const MetricField& field) {
 }
 
 // Each triangle with the mean of its corners' densities.
-double integrate_by_corners(const Mesh& mesh, const MetricField& field) {
-  const std::vector<double> density = densities(mesh, field);
+template <class F>
+double integrate_by_corners(const Mesh& mesh, F density) {
   double sum = 0.0;
   for (const auto& corners : mesh.triangles) {
     const auto point = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(corners[k])]; };
     double of_corners = 0.0;
-    for (const int v : corners) of_corners += density[static_cast<std::size_t>(v)];
+    for (const int v : corners) of_corners += density(static_cast<std::size_t>(v));
     sum += doubled_area(point(0), point(1), point(2)) * of_corners / 6.0;
   }
   return sum;
@@ -85,7 +85,10 @@ double integrate_by_corners(const Mesh& mesh, const MetricField& field) {
 
 double integrate_complexity(const Mesh& mesh, const MetricField& field) {
   constexpr std::size_t fine_mesh = 1000;
-  if (mesh.triangles.size() > fine_mesh) return integrate_by_corners(mesh, field);
+  if (mesh.triangles.size() > fine_mesh) {
+    const std::vector<double> density = densities(mesh, field);
+    return integrate_by_corners(mesh, [&](std::size_t v) { return density[v]; });
+  }
   Integrator integrator{field};
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
@@ -95,6 +98,10 @@ double integrate_complexity(const Mesh& mesh, const MetricField& field) {
     sum += integrator.integrate(a, b, c, integrator.midpoint_rule(a, b, c), 0);
   }
   return sum;
+}
+
+double integrate_complexity(const Mesh& mesh, std::span<const Metric> metrics) {
+  return integrate_by_corners(mesh, [&](std::size_t v) { return metrics[v].density(); });
 }
 
 }  // namespace parmesan

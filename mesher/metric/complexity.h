@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "mesher/mesh.h"
 #include "mesher/metric/metric_field.h"
 
@@ -12,6 +14,9 @@ namespace parmesan {
 /// hold less than one unit cell; the first three cuts are always made. Cost: O(n + result) at worst.
 /// Errors: see require_usable.
 double integrate_complexity(const Mesh& mesh, const MetricField& field);
+
+/// The same of one metric per vertex of the mesh; each triangle has the mean of its corners' densities. Cost: O(n).
+double integrate_complexity(const Mesh& mesh, std::span<const Metric> metrics);
 
 /// Vertices of a unit mesh of that complexity, boundary effects aside.
 constexpr double expected_vertices(double complexity) { return 1.1547005383792515 * complexity; }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/particles/metric_flips.h"
 #include "mesher/particles/population.h"
 
 namespace parmesan {
@@ -150,9 +151,14 @@ Boundary::Boundary(const ParticleSystem& particles) : measures_(particles.domain
 }
 
 void Boundary::match_counts(ParticleSystem& particles) const {
+  constexpr long flips_per_change = 10;
   const std::vector<ChainEdge> all = chains(particles);
   Triangulation& mesh = particles.mesh();
   std::vector<EdgeId> superfluous;
+  std::vector<EdgeId> stack;
+  const auto legalize_later = [&](VertexId v) {
+    for_each_spoke(mesh, v, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
+  };
   for_each_chain(all, [&](std::size_t first, std::size_t last) {
     const Segment& segment = particles.domain().segments[at(all[first].segment)];
     const SegmentMeasure& measure = measures_[at(all[first].segment)].front();
@@ -164,12 +170,17 @@ void Boundary::match_counts(ParticleSystem& particles) const {
       for (int mark = to - 1; mark > from; --mark) {
         const Point p = lerp(particles.domain().points[at(segment.a)], particles.domain().points[at(segment.b)],
                              mark_parameter(measure, n, mark));
-        if (can_split_at(mesh, all[i].edge, p)) particles.create_on_edge(all[i].edge, p);
+        if (can_split_at(mesh, all[i].edge, p)) legalize_later(particles.create_on_edge(all[i].edge, p));
       }
     }
   });
-  for (const EdgeId e : superfluous)
-    if (mesh.is_alive(undirected(e))) collapse_if_valid(particles, e);
+  for (const EdgeId e : superfluous) {
+    if (!mesh.is_alive(undirected(e))) continue;
+    const VertexId a = mesh.org(e);
+    const VertexId b = mesh.dest(e);
+    if (collapse_if_valid(particles, e)) legalize_later(mesh.has_vertex(a) ? a : b);
+  }
+  legalize(particles, stack, flips_per_change * static_cast<long>(stack.size()));
 }
 
 std::vector<double> Boundary::targets(const ParticleSystem& particles) const {

@@ -35,7 +35,8 @@ class Boundary {
   explicit Boundary(const ParticleSystem& particles);
 
   /// Creates and annihilates particles until each segment has its count, where the triangulation
-  /// allows it. Each edge is split at its particles' final places, each superfluous one collapsed.
+  /// allows it. Each edge is split at its particles' final places, each superfluous one collapsed. Legalizes
+  /// around each.
   void match_counts(ParticleSystem& particles) const;
 
   /// Where each bound particle should go, as parameter on its segment; NaN for all others and

@@ -19,10 +19,10 @@ class FastSchedule {
   void run();
 
  private:
-  bool is_settled() const;
+  int rounds_needed() const;
   void match_population();
   void mend_population();
-  void relax(int sweeps, SweepOptions sweep_options);
+  void relax(const Blocks& blocks, int sweeps, SweepOptions sweep_options);
 
   ParticleSystem& particles_;
   const FastScheduleOptions& options_;
@@ -30,9 +30,11 @@ class FastSchedule {
   int sweeps_done_ = 0;
 };
 
-bool FastSchedule::is_settled() const {
+int FastSchedule::rounds_needed() const {
   constexpr double settled_demand = 0.012;  // measured: below it relaxation gains more than population
-  return population_demand(particles_, {}) < settled_demand;
+  constexpr double small_demand = 0.03;     // the first round meets it
+  const double demand = population_demand(particles_, {});
+  return demand < settled_demand ? 0 : demand < small_demand ? 1 : options_.rounds;
 }
 
 void FastSchedule::match_population() {
@@ -57,9 +59,8 @@ void FastSchedule::mend_population() {
 }
 
 // Metrics and connectivity are brought up to date in every second sweep, counted from the last.
-void FastSchedule::relax(int sweeps, SweepOptions sweep_options) {
+void FastSchedule::relax(const Blocks& blocks, int sweeps, SweepOptions sweep_options) {
   const std::vector<double> targets = boundary_.targets(particles_);
-  const Blocks blocks(particles_);
   for (int left = sweeps - 1; left >= 0; --left) {
     sweep_options.update = left % 2 == 0 ? Update::Now : Update::Later;
     sweep(particles_, blocks, sweeps_done_++, targets, sweep_options);
@@ -70,18 +71,17 @@ void FastSchedule::relax(int sweeps, SweepOptions sweep_options) {
 // at its vertices, would only lose that by moving where the metric is not resolved.
 void FastSchedule::run() {
   flip_all(particles_);
-  const bool settled = is_settled();
+  const int rounds = rounds_needed();
+  const bool settled = rounds == 0;
   const double momentum = settled ? 0.0 : options_.momentum;
-  if (settled) {
-    mend_population();
-  } else {
-    for (int round = 0; round < options_.rounds; ++round) {
-      match_population();
-      relax(options_.sweeps_per_round, {.momentum = momentum});
-    }
+  if (settled) mend_population();
+  for (int round = 0; round < rounds; ++round) {
+    match_population();
+    relax(Blocks(particles_), options_.sweeps_per_round, {.momentum = momentum});
   }
-  relax(options_.final_force_sweeps, {.momentum = momentum, .only_resolved = settled});
-  relax(options_.final_apex_sweeps, {.motion = Motion::IdealApex, .momentum = momentum});
+  const Blocks blocks(particles_);
+  relax(blocks, options_.final_force_sweeps, {.momentum = momentum, .only_resolved = settled});
+  relax(blocks, options_.final_apex_sweeps, {.motion = Motion::IdealApex, .momentum = momentum});
   for (int i = 0; i < options_.repairs; ++i) repair_places(particles_);
   if (options_.repairs > 0) mend_chords(particles_);
 }

@@ -16,6 +16,25 @@ namespace {
 
 constexpr double longest = 1.36;
 constexpr double poor_quality = 0.7;
+constexpr double strict_poor_quality = 0.65;
+
+double square(double x) { return x * x; }
+
+// Of triangles in the densest of their metrics, as others judge them. Where that is far from the mean the mesh does
+// not resolve the metric, and the densest is not the one to obey.
+double strict_deficit(const Star& star, const Point& p, const Metric& m) {
+  constexpr double hopeless = 0.5;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Star::Spoke& a = star.spoke(i);
+    const Star::Spoke& b = star.next(i);
+    if (!a.has_triangle) continue;
+    const Metric& denser = a.metric.density() > b.metric.density() ? a.metric : b.metric;
+    const double q = mean_ratio(p, a.point, b.point, denser.density() > m.density() ? denser : m);
+    if (q > hopeless) sum += square(std::max(0.0, strict_poor_quality - q));
+  }
+  return sum;
+}
 
 // Cheap, and true for every star that repair is meant for: the mean of squares is more than the
 // logarithmic mean of the lengths from the two ends, their product less than its square.
@@ -27,14 +46,13 @@ bool needs_repair(const Star& star, const Point& p, const Metric& m) {
     const double b = star.spoke(i).metric.squared_length(d);
     if (0.5 * (a + b) > above || a * b * above * above < 1.0) return true;
   }
-  return star.min_quality(p, m) < poor_quality;
+  return star.min_quality(p, m) < poor_quality || strict_deficit(star, p, m) > 0.0;
 }
-
-double square(double x) { return x * x; }
 
 // The sum that repair makes smaller; infinite where a triangle is not counter-clockwise.
 double misfit(const Star& star, const Point& p, const Metric& m) {
   constexpr double weight_of_lengths = 3.0;
+  constexpr double weight_of_deficit = 10.0;
   const double tolerated = std::log(longest);
   double sum = 0.0;
   for (std::size_t i = 0; i < star.size(); ++i) {
@@ -46,7 +64,7 @@ double misfit(const Star& star, const Point& p, const Metric& m) {
     if (orient2d(p, a.point, b.point) <= 0.0) return std::numeric_limits<double>::infinity();
     sum += square(1.0 - mean_ratio(p, a.point, b.point, mean(m, a.metric, b.metric)));
   }
-  return sum;
+  return sum + weight_of_deficit * strict_deficit(star, p, m);
 }
 
 // Eight directions, 45 degrees apart and of length 1 in the metric.
@@ -83,23 +101,35 @@ Point best_place_near(const ParticleSystem& particles, const Star& star, VertexI
   return best;
 }
 
+namespace {
+
+// Returns whether v has moved.
+bool repair_place(ParticleSystem& particles, VertexId v, Star& star, std::vector<EdgeId>& stack) {
+  star.gather(particles, v);
+  const Point from = particles.mesh().point(v);
+  if (!needs_repair(star, from, particles.metric(v))) return false;  // since a neighbour moved
+  const Point to = best_place_near(particles, star, v);
+  if (to == from) return false;
+  particles.move(v, to);
+  for_each_spoke(particles.mesh(), v, [&](EdgeId e) { stack.insert(stack.end(), {e, particles.mesh().lnext(e)}); });
+  legalize(particles, stack, 100);
+  return true;
+}
+
+}  // namespace
+
 int repair_places(ParticleSystem& particles) {
-  Star star;
-  int moved = 0;
+  constexpr int passes = 2;
   const auto selects = [&](const Star& around, VertexId v) {
     return needs_repair(around, particles.mesh().point(v), particles.metric(v));
   };
-  for (const VertexId v : select_free_particles(particles, selects)) {
-    star.gather(particles, v);
-    const Point from = particles.mesh().point(v);
-    if (!needs_repair(star, from, particles.metric(v))) continue;  // since a neighbour moved
-    const Point to = best_place_near(particles, star, v);
-    if (to == from) continue;
-    particles.move(v, to);
-    ++moved;
-  }
-  flip_all(particles);
-  return moved;
+  const std::vector<VertexId> places = select_free_particles(particles, selects);
+  Star star;
+  std::vector<EdgeId> stack;
+  int moves = 0;
+  for (int pass = 0; pass < passes; ++pass)
+    for (const VertexId v : places) moves += repair_place(particles, v, star, stack);
+  return moves;
 }
 
 }  // namespace parmesan

@@ -180,47 +180,50 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 
 namespace {
 
-// What stars ask for, and in passing where the metric is resolved: one entry per vertex slot.
-double demand_of_stars(const ParticleSystem& particles, const PopulationRules& rules, std::vector<char>& resolved) {
-  const Triangulation& mesh = particles.mesh();
-  resolved.assign(static_cast<std::size_t>(mesh.num_slots()), 0);
-  const auto sums =
-      collect<double>(resolved.size(), [&](std::size_t first, std::size_t last, std::vector<double>& sum) {
-        Star star;
-        double superfluous = 0.0;
-        for (std::size_t i = first; i < last; ++i) {
-          const auto v = static_cast<VertexId>(i);
-          if (!mesh.has_vertex(v)) continue;
-          star.gather(particles, v);
-          if (!star.is_resolved(mesh.point(v), particles.metric(v))) continue;
-          resolved[i] = 1;
-          if (particles.is_free(v) && is_superfluous(particles, star, v, rules)) superfluous += 1.0;
-        }
-        sum.push_back(superfluous);
-      });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+// The sum of demand(i) over every n-th of the numbers below size, times n: enough of them for a share.
+template <class F>
+double estimated_sum(std::int32_t size, F demand) {
+  constexpr std::int32_t sample = 20000;
+  const std::int32_t stride = std::max(1, size / sample);
+  const auto count = static_cast<std::size_t>((size + stride - 1) / stride);
+  const auto sums = collect<double>(count, [&](std::size_t first, std::size_t last, std::vector<double>& sum) {
+    sum.push_back(0.0);
+    for (std::size_t i = first; i < last; ++i) sum.back() += demand(static_cast<std::int32_t>(i) * stride);
+  });
+  return stride * std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double demand_of_edges(const ParticleSystem& particles, const PopulationRules& rules,
-                       const std::vector<char>& resolved) {
-  const auto is_resolved_at = [&](VertexId v) { return resolved[static_cast<std::size_t>(v)] != 0; };
-  double demand = 0.0;
-  for (const LongEdge& found : long_edges(particles, rules)) {
-    if (is_too_long(particles, found.edge, outlier_rules)) {
-      demand += found.squared_length;
-    } else if (is_resolved_at(found.org) && is_resolved_at(found.dest)) {
-      demand += 1.0;
-    }
-  }
-  return demand;
+bool is_resolved_at(const ParticleSystem& particles, VertexId v) {
+  Star star;
+  star.gather(particles, v);
+  return star.is_resolved(particles.mesh().point(v), particles.metric(v));
+}
+
+double demand_of_star(const ParticleSystem& particles, VertexId v, const PopulationRules& rules) {
+  if (!particles.mesh().has_vertex(v) || !particles.is_free(v)) return 0.0;
+  Star star;
+  star.gather(particles, v);
+  if (!is_superfluous(particles, star, v, rules)) return 0.0;
+  return star.is_resolved(particles.mesh().point(v), particles.metric(v)) ? 1.0 : 0.0;
+}
+
+double demand_of_edge(const ParticleSystem& particles, std::int32_t q, const PopulationRules& rules) {
+  const Triangulation& mesh = particles.mesh();
+  const EdgeId e{4 * q};
+  if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) return 0.0;
+  if (is_too_long(particles, e, outlier_rules)) return squared_edge_length(particles, e);
+  return is_resolved_at(particles, mesh.org(e)) && is_resolved_at(particles, mesh.dest(e)) ? 1.0 : 0.0;
 }
 
 }  // namespace
 
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules) {
-  std::vector<char> resolved;
-  const double of_stars = demand_of_stars(particles, rules, resolved);
-  return (of_stars + demand_of_edges(particles, rules, resolved)) / particles.mesh().num_vertices();
+  const Triangulation& mesh = particles.mesh();
+  const double of_stars =
+      estimated_sum(mesh.num_slots(), [&](std::int32_t v) { return demand_of_star(particles, v, rules); });
+  const double of_edges =
+      estimated_sum(mesh.size(), [&](std::int32_t q) { return demand_of_edge(particles, q, rules); });
+  return (of_stars + of_edges) / mesh.num_vertices();
 }
 
 }  // namespace parmesan

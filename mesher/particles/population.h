@@ -26,7 +26,8 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 
 /// How many particles, relative to their number, the rules would create and annihilate. Counted are
 /// places where the metric is resolved (Star::is_resolved) and outliers anywhere: what the rules
-/// find elsewhere is as much an accident of where the metric was sampled.
+/// find elsewhere is as much an accident of where the metric was sampled. Estimated from every n-th of more than
+/// 20 000 particles or edges.
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
 /// Collapses one end of e into the other if that leaves valid triangles; a fixed particle stays, a

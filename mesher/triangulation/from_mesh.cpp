@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
+#include <span>
 #include <string>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
+#include "mesher/half_edges.h"
+#include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 
 namespace parmesan {
@@ -12,48 +16,86 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-/// Makes the edges of all triangles. A vertex owns the edges to its larger neighbours; a triangle's
-/// side finds its partner by a scan of that short list.
+/// Makes the edges of all triangles. A vertex owns the edges to its higher neighbours.
 class EdgeMaker {
  public:
-  EdgeMaker(const Mesh& mesh, Triangulation& t);
+  EdgeMaker(const Mesh& mesh, Triangulation& t) : mesh_(mesh), t_(t), half_edges_(mesh) {}
 
-  /// The edge from a to b with triangle k, of the given region, on its left.
-  EdgeId side(int a, int b, int k, std::int32_t region);
+  /// The directed edge of every side, 3 t + k being opposite to corner k of triangle t, the triangle on its left.
+  std::vector<EdgeId> run();
 
  private:
-  struct Owned {
-    int larger_end;
-    EdgeId from_owner;
-  };
+  std::size_t num_owned(std::size_t low) const;
+  EdgeId make(std::size_t low, EdgeId next, std::vector<EdgeId>& edges);
+  void put_on_left(EdgeId e, int triangle);
+
+  const Mesh& mesh_;
   Triangulation& t_;
-  std::vector<int> fill_;     // where the list of each vertex ends
-  std::vector<int> start_;    // where it starts
-  std::vector<Owned> owned_;  // lists of all vertices, one after the other
+  HalfEdges half_edges_;
 };
 
-EdgeMaker::EdgeMaker(const Mesh& mesh, Triangulation& t) : t_(t), start_(mesh.points.size() + 1, 0) {
-  for (const auto& corners : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) ++start_[index(std::min(corners[i], corners[(i + 1) % 3])) + 1];
-  for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-  fill_.assign(start_.begin(), start_.end() - 1);
-  owned_.resize(3 * mesh.triangles.size());
+/// Is side i the first of those with its end points?
+bool is_first(std::span<const HalfEdge> sides, std::size_t i) { return i == 0 || sides[i - 1].high != sides[i].high; }
+
+std::size_t EdgeMaker::num_owned(std::size_t low) const {
+  const auto sides = half_edges_.at(low);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sides.size(); ++i) count += is_first(sides, i);
+  return count;
 }
 
-EdgeId EdgeMaker::side(int a, int b, int k, std::int32_t region) {
-  const auto [low, high] = std::minmax(a, b);
-  int& end = fill_[index(low)];
-  int i = start_[index(low)];
-  while (i < end && owned_[index(i)].larger_end != high) ++i;
-  if (i == end) owned_[index(end++)] = {high, t_.make_edge(low, high, outside_face)};
-  const EdgeId owner = owned_[index(i)].from_owner;
-  const EdgeId e = a == low ? owner : sym(owner);
-  if (a == b || t_.is_inside_left(e))
-    throw GeometryError(
-        "triangle " + std::to_string(k) + " overlaps another at edge " + std::to_string(a) + " - " + std::to_string(b),
-        {k, a, b});
-  t_.set_left(e, region);
-  return e;
+void EdgeMaker::put_on_left(EdgeId e, int triangle) {
+  if (t_.org(e) == t_.dest(e) || t_.is_inside_left(e))
+    throw GeometryError("triangle " + std::to_string(triangle) + " overlaps another at edge " +
+                            std::to_string(t_.org(e)) + " - " + std::to_string(t_.dest(e)),
+                        {triangle, t_.org(e), t_.dest(e)});
+  t_.set_left(e, mesh_.regions[index(triangle)]);
+}
+
+// Returns the edge after the last that this vertex owns.
+EdgeId EdgeMaker::make(std::size_t low, EdgeId next, std::vector<EdgeId>& edges) {
+  const auto sides = half_edges_.at(low);
+  EdgeId up = no_edge;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const HalfEdge& h = sides[i];
+    if (is_first(sides, i)) {
+      up = next;
+      next.index += 4;
+      t_.set_org(up, static_cast<VertexId>(low));
+      t_.set_dest(up, h.high);
+      t_.set_left(up, outside_face);
+      t_.set_right(up, outside_face);
+    }
+    const EdgeId e = goes_up(mesh_, h) ? up : sym(up);
+    edges[index(h.side)] = e;
+    put_on_left(e, h.triangle());
+  }
+  return next;
+}
+
+std::vector<EdgeId> EdgeMaker::run() {
+  const Ranges ranges(mesh_.points.size());
+  std::vector<std::size_t> owned(index(ranges.count()) + 1, 0);
+  parallel_for(ranges.count(), [&](int r) {
+    for (std::size_t v = ranges.first(r); v < ranges.last(r); ++v) owned[index(r) + 1] += num_owned(v);
+  });
+  std::partial_sum(owned.begin(), owned.end(), owned.begin());
+  const EdgeId first = t_.append_edges(owned.back());
+  std::vector<EdgeId> edges(3 * mesh_.triangles.size());
+  parallel_for(ranges.count(), [&](int r) {
+    EdgeId next{first.index + 4 * static_cast<std::int32_t>(owned[index(r)])};
+    for (std::size_t v = ranges.first(r); v < ranges.last(r); ++v) next = make(v, next, edges);
+  });
+  return edges;
+}
+
+/// Links the edges of each triangle around its corners.
+void link_triangles(const std::vector<EdgeId>& edges, Triangulation& t) {
+  const Ranges ranges(edges.size() / 3);
+  parallel_for(ranges.count(), [&](int r) {
+    for (std::size_t k = 3 * ranges.first(r); k < 3 * ranges.last(r); k += 3)
+      for (std::size_t i = 0; i < 3; ++i) t.link(edges[k + (i + 1) % 3], sym(edges[k + i]));
+  });
 }
 
 /// Angular order of displacements, from the positive x axis counter-clockwise, exact.
@@ -77,10 +119,16 @@ void close_ring(Triangulation& t, std::vector<EdgeId>& starts) {
   }
 }
 
-void close_boundary(Triangulation& t) {
-  std::vector<EdgeId> starts;
-  for (std::int32_t i = 0; i < 4 * t.size(); i += 2)
-    if (!t.is_inside_right({i})) starts.push_back({i});
+/// The boundary edges, the domain to their left.
+std::vector<EdgeId> boundary_edges(const Triangulation& t) {
+  return collect<EdgeId>(index(t.size()), [&](std::size_t first, std::size_t last, std::vector<EdgeId>& found) {
+    for (std::size_t q = first; q < last; ++q)
+      for (const EdgeId e : {EdgeId{4 * static_cast<std::int32_t>(q)}, EdgeId{4 * static_cast<std::int32_t>(q) + 2}})
+        if (!t.is_inside_right(e)) found.push_back(e);
+  });
+}
+
+void close_boundary(Triangulation& t, std::vector<EdgeId> starts) {
   std::ranges::stable_sort(starts, {}, [&](EdgeId e) { return t.org(e); });
   std::vector<EdgeId> of_vertex;
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -100,7 +148,8 @@ EdgeId find_edge(const Triangulation& t, int a, int b) {
   return found;
 }
 
-void set_segments(const Mesh& mesh, std::span<const int> edge_segments, Triangulation& t) {
+void set_segments(const Mesh& mesh, std::span<const int> edge_segments, const std::vector<EdgeId>& boundary,
+                  Triangulation& t) {
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const auto [a, b] = mesh.edges[i];
     const EdgeId e = find_edge(t, a, b);
@@ -108,12 +157,11 @@ void set_segments(const Mesh& mesh, std::span<const int> edge_segments, Triangul
       throw GeometryError("edge " + std::to_string(i) + " is no side of a triangle", {static_cast<int>(i)});
     t.set_segment(e, edge_segments[i]);
   }
-  for (std::int32_t q = 0; q < t.size(); ++q) {
-    const EdgeId e{4 * q};
-    if (t.is_boundary(e) && !t.is_constrained(e))
-      throw GeometryError(
-          "the boundary has no edge from vertex " + std::to_string(t.org(e)) + " to " + std::to_string(t.dest(e)),
-          {t.org(e), t.dest(e)});
+  for (const EdgeId e : boundary) {
+    if (t.is_constrained(e)) continue;
+    const auto [a, b] = std::minmax(t.org(e), t.dest(e));
+    throw GeometryError("the boundary has no edge from vertex " + std::to_string(a) + " to " + std::to_string(b),
+                        {a, b});
   }
 }
 
@@ -125,20 +173,14 @@ Triangulation from_mesh(const Mesh& mesh, std::span<const int> edge_segments) {
   Triangulation t;
   t.reserve_for_vertices(mesh.points.size());
   for (const Point& p : mesh.points) t.add_vertex(p);
-  EdgeMaker maker(mesh, t);
-  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-    const auto& v = mesh.triangles[k];
-    std::array<EdgeId, 3> e;
-    for (std::size_t i = 0; i < 3; ++i) {
-      e[i] = maker.side(v[i], v[(i + 1) % 3], static_cast<int>(k), mesh.regions[k]);
-      t.set_edge_of(v[i], e[i]);
-    }
-    for (std::size_t i = 0; i < 3; ++i) t.link(e[(i + 1) % 3], sym(e[i]));
-  }
-  close_boundary(t);
+  const std::vector<EdgeId> edges = EdgeMaker(mesh, t).run();
+  link_triangles(edges, t);
+  for (const EdgeId e : edges) t.set_edge_of(t.org(e), e);
+  const std::vector<EdgeId> boundary = boundary_edges(t);
+  close_boundary(t, boundary);
   for (VertexId v = t.num_slots() - 1; v >= 0; --v)
     if (t.edge_of(v) == no_edge) t.remove_isolated_vertex(v);
-  set_segments(mesh, edge_segments, t);
+  set_segments(mesh, edge_segments, boundary, t);
   return t;
 }
 

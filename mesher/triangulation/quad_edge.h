@@ -54,6 +54,14 @@ class QuadEdge {
   /// Slots of deleted edges are used again, the last freed first.
   EdgeId make_edge();
 
+  /// Appends n edges whose end points and links are unset, to be linked by hand. Returns the first of them; the
+  /// others follow in steps of 4.
+  EdgeId append_edges(std::size_t n) {
+    const EdgeId first{4 * size()};
+    rings_.resize(rings_.size() + 4 * n);
+    return first;
+  }
+
   /// Joins or parts the edge rings of the origins of a and b, and those of
   /// their left faces. Its own inverse. Cost: O(1).
   void splice(EdgeId a, EdgeId b);
@@ -107,8 +115,8 @@ class QuadEdge {
 
   /// What each directed edge knows. The four of one edge fill half a cache line.
   struct Place {
-    EdgeId next;   // onext; no_edge when freed
-    VertexId org;  // on dual edges what their face carries
+    EdgeId next = no_edge;     // onext; no_edge when freed
+    VertexId org = no_vertex;  // on dual edges what their face carries
   };
 
   std::vector<Place> rings_;         // 4 per edge

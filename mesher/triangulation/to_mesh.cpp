@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mesher/geometry/hilbert.h"
+#include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 
 namespace parmesan {
@@ -39,69 +40,101 @@ struct Constraint {
   bool points_to_larger;
 };
 
-/// Fills a mesh vertex by vertex.
+/// The vertices in their new order.
+struct Numbering {
+  std::vector<VertexId> slots;
+  std::vector<int> new_id;  // of each slot
+};
+
+Numbering numbering_of(const Triangulation& t) {
+  Numbering numbering{live_vertices_in_order(t), std::vector<int>(index(t.num_slots()), -1)};
+  for (std::size_t v = 0; v < numbering.slots.size(); ++v)
+    numbering.new_id[index(numbering.slots[v])] = static_cast<int>(v);
+  return numbering;
+}
+
+/// The triangles and edges of consecutive vertices.
 class MeshBuilder {
  public:
-  MeshBuilder(const Triangulation& t, std::span<const int> segment_labels);
+  MeshBuilder(const Triangulation& t, std::span<const int> segment_labels, const Numbering& numbering)
+      : t_(t), labels_(segment_labels), numbering_(numbering) {}
   void add_vertex(int v);
-  ConvertedMesh take() { return std::move(result_); }
-  int num_vertices() const { return static_cast<int>(result_.slots.size()); }
+  Mesh take() { return std::move(mesh_); }
 
  private:
   void look_at(int v, EdgeId spoke);
 
   const Triangulation& t_;
   std::span<const int> labels_;
-  ConvertedMesh result_;
-  std::vector<int> new_id_;              // of each slot
+  const Numbering& numbering_;
+  Mesh mesh_;
   std::vector<Corner> corners_;          // of the vertex being added
   std::vector<Constraint> constraints_;  // of the vertex being added
 };
 
-MeshBuilder::MeshBuilder(const Triangulation& t, std::span<const int> segment_labels)
-    : t_(t), labels_(segment_labels), new_id_(index(t.num_slots()), -1) {
-  result_.slots = live_vertices_in_order(t);
-  for (int v = 0; v < num_vertices(); ++v) new_id_[index(result_.slots[index(v)])] = v;
-  result_.mesh.points.reserve(result_.slots.size());
-  result_.mesh.triangles.reserve(2 * result_.slots.size());
-  result_.mesh.regions.reserve(2 * result_.slots.size());
-}
-
 void MeshBuilder::look_at(int v, EdgeId spoke) {
-  const int second = new_id_[index(t_.dest(spoke))];
+  const int second = numbering_.new_id[index(t_.dest(spoke))];
   if (second < v) return;
   if (t_.is_constrained(spoke))
     constraints_.push_back({second, labels_[index(t_.segment(spoke))], t_.is_inside_left(spoke)});
   if (!t_.is_inside_left(spoke)) return;
-  const int third = new_id_[index(t_.dest(t_.onext(spoke)))];
+  const int third = numbering_.new_id[index(t_.dest(t_.onext(spoke)))];
   if (third > v) corners_.push_back({second, third, t_.left(spoke)});
 }
 
 void MeshBuilder::add_vertex(int v) {
-  Mesh& mesh = result_.mesh;
-  const VertexId slot = result_.slots[index(v)];
-  mesh.points.push_back(t_.point(slot));
   corners_.clear();
   constraints_.clear();
-  for_each_spoke(t_, slot, [&](EdgeId spoke) { look_at(v, spoke); });
+  for_each_spoke(t_, numbering_.slots[index(v)], [&](EdgeId spoke) { look_at(v, spoke); });
   std::ranges::sort(corners_, {}, &Corner::second);
   std::ranges::sort(constraints_, {}, &Constraint::larger_end);
   for (const Corner& c : corners_) {
-    mesh.triangles.push_back({v, c.second, c.third});
-    mesh.regions.push_back(c.region);
+    mesh_.triangles.push_back({v, c.second, c.third});
+    mesh_.regions.push_back(c.region);
   }
   for (const Constraint& c : constraints_) {
-    mesh.edges.push_back(c.points_to_larger ? std::array{v, c.larger_end} : std::array{c.larger_end, v});
-    mesh.labels.push_back(c.label);
+    mesh_.edges.push_back(c.points_to_larger ? std::array{v, c.larger_end} : std::array{c.larger_end, v});
+    mesh_.labels.push_back(c.label);
   }
+}
+
+/// The lists one after the other, each freed when it has been copied.
+template <class T>
+std::vector<T> joined_lists(std::vector<Mesh>& parts, std::vector<T> Mesh::*list) {
+  if (parts.size() == 1) return std::move(parts[0].*list);
+  std::vector<T> all;
+  std::size_t size = 0;
+  for (const Mesh& part : parts) size += (part.*list).size();
+  all.reserve(size);
+  for (Mesh& part : parts) {
+    all.insert(all.end(), (part.*list).begin(), (part.*list).end());
+    std::vector<T>().swap(part.*list);
+  }
+  return all;
 }
 
 }  // namespace
 
 ConvertedMesh to_mesh(const Triangulation& t, std::span<const int> segment_labels) {
-  MeshBuilder builder(t, segment_labels);
-  for (int v = 0; v < builder.num_vertices(); ++v) builder.add_vertex(v);
-  return builder.take();
+  Numbering numbering = numbering_of(t);
+  const Ranges ranges(numbering.slots.size());
+  std::vector<Mesh> parts(index(ranges.count()));
+  ConvertedMesh result;
+  result.mesh.points.resize(numbering.slots.size());
+  parallel_for(ranges.count(), [&](int range) {
+    MeshBuilder builder(t, segment_labels, numbering);
+    for (std::size_t v = ranges.first(range); v < ranges.last(range); ++v) {
+      result.mesh.points[v] = t.point(numbering.slots[v]);
+      builder.add_vertex(static_cast<int>(v));
+    }
+    parts[index(range)] = builder.take();
+  });
+  result.mesh.triangles = joined_lists(parts, &Mesh::triangles);
+  result.mesh.regions = joined_lists(parts, &Mesh::regions);
+  result.mesh.edges = joined_lists(parts, &Mesh::edges);
+  result.mesh.labels = joined_lists(parts, &Mesh::labels);
+  result.slots = std::move(numbering.slots);
+  return result;
 }
 
 }  // namespace parmesan

@@ -42,6 +42,11 @@ EdgeId Triangulation::make_edge(VertexId a, VertexId b, std::int32_t region) {
   return e;
 }
 
+EdgeId Triangulation::append_edges(std::size_t n) {
+  segment_.resize(segment_.size() + n, -1);
+  return QuadEdge::append_edges(n);
+}
+
 EdgeId Triangulation::connect_new(EdgeId a, EdgeId b, std::int32_t region) {
   const EdgeId e = make_edge(org(a), org(b), region);
   connect(e, a, b);

@@ -47,6 +47,9 @@ class Triangulation : public QuadEdge {
   /// A new free edge from a to b that carries the given region on both sides; not yet linked.
   EdgeId make_edge(VertexId a, VertexId b, std::int32_t region);
 
+  /// Free edges for the ends and faces to be set and links to be made by hand (see QuadEdge::append_edges).
+  EdgeId append_edges(std::size_t n);
+
   /// A new edge between the places of the rings of a and b (see QuadEdge::connect).
   EdgeId connect_new(EdgeId a, EdgeId b, std::int32_t region);
 

@@ -1,8 +1,10 @@
 #include "adapt/adapt_loop.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "mesher/errors.h"
 #include "tests/adapt/loop_cases.h"
@@ -36,15 +38,24 @@ TEST_CASE("metrics are made for H1 where only an H1 error is asked for", "[adapt
 }
 
 TEST_CASE("the loop meets an L2 target of an interpolant with few vertices to spare", "[adapt][loop]") {
-  Case input = interpolation_case("tanh(20*(x - y^2))", R"({"l2_error": 1e-3, "max_vertices": 5000})");
-  input.mesher.preset = Preset::Good;
-  const LoopResult run = adapt(input, {});
-  const Summary& s = run.summary;
-  CHECK(s.stop_reason == StopReason::ErrorTarget);
-  CHECK(s.targets_met);
-  CHECK(s.iterations.back().interpolation_error->l2 <= 1e-3);
-  CHECK(s.iterations.back().interpolation_error->l2 >= 0.7e-3);
-  CHECK(s.iterations.back().efficiency.value() < 1.4);
+  // How near to the limit depends on what the first meshes saw of the layer: 1.18 to 1.47, in the middle 1.23.
+  std::vector<double> efficiencies;
+  for (const int start : {70, 90, 110, 130, 150}) {
+    Case input = interpolation_case("tanh(20*(x - y^2))", R"({"l2_error": 1e-3, "max_vertices": 5000})");
+    input.mesher.preset = Preset::Good;
+    input.initial_vertices = start;
+    CAPTURE(start);
+    const LoopResult run = adapt(input, {});
+    const Summary& s = run.summary;
+    CHECK(s.stop_reason == StopReason::ErrorTarget);
+    CHECK(s.targets_met);
+    CHECK(s.iterations.back().interpolation_error->l2 <= 1e-3);
+    CHECK(s.iterations.back().interpolation_error->l2 >= 0.7e-3);
+    efficiencies.push_back(s.iterations.back().efficiency.value());
+  }
+  std::sort(efficiencies.begin(), efficiencies.end());
+  CHECK(efficiencies[2] < 1.3);
+  CHECK(efficiencies.back() < 1.5);
 }
 
 TEST_CASE("the loop meets an H1 target of a solution", "[adapt][loop]") {

@@ -62,13 +62,14 @@ TEST_CASE("repair leaves particles on segments and settled particles where they 
   ParticleSystem particles = relaxed(domain, field);
   std::vector<Point> before;
   for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) before.push_back(particles.mesh().point(v));
-  const int moved = repair_places(particles);
-  CHECK(moved < particles.mesh().num_vertices() / 5);
+  const int moves = repair_places(particles);
+  CHECK(moves < particles.mesh().num_vertices() / 5);
   int differ = 0;
   for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
     if (particles.mesh().point(v) == before[static_cast<std::size_t>(v)]) continue;
     ++differ;
     CHECK(particles.is_free(v));
   }
-  CHECK(differ == moved);
+  CHECK(differ <= moves);
+  CHECK(2 * differ >= moves);
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// A side of a triangle as its lower end point sees it.
+struct HalfEdge {
+  int high;  // the other end point
+  int side;  // 3 t + k: opposite to corner k of triangle t
+
+  int triangle() const { return side / 3; }
+};
+
+/// Does the triangle pass this side from the lower end point to the higher, so that it lies to the left?
+inline bool goes_up(const Mesh& mesh, const HalfEdge& h) {
+  const auto& corners = mesh.triangles[static_cast<std::size_t>(h.triangle())];
+  return corners[static_cast<std::size_t>((h.side + 2) % 3)] == h.high;
+}
+
+/// The sides of all triangles, sorted by their lower end points, then the higher, then the triangles.
+///
+/// Indices of the mesh must be in range. Built on all threads where the numbering is local. Cost: O(n), but for the
+/// sort at each vertex.
+class HalfEdges {
+ public:
+  explicit HalfEdges(const Mesh& mesh);
+
+  /// The sides whose lower end point is v.
+  std::span<const HalfEdge> at(std::size_t v) const {
+    return std::span(all_).subspan(start_[v], start_[v + 1] - start_[v]);
+  }
+
+ private:
+  std::vector<std::size_t> start_;
+  std::vector<HalfEdge> all_;
+};
+
+}  // namespace parmesan
