@@ -1,7 +1,8 @@
 #include "mesher/half_edges.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <memory>
 #include <numeric>
 
 #include "mesher/parallel.h"
@@ -10,6 +11,21 @@ namespace parmesan {
 namespace {
 
 bool comes_first(const HalfEdge& a, const HalfEdge& b) { return a.high != b.high ? a.high < b.high : a.side < b.side; }
+
+// By insertion where they are few: a vertex has six in the mean.
+void sort_sides(std::span<HalfEdge> sides) {
+  constexpr std::size_t few = 16;
+  if (sides.size() > few) {
+    std::sort(sides.begin(), sides.end(), comes_first);
+    return;
+  }
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const HalfEdge h = sides[i];
+    std::size_t k = i;
+    for (; k > 0 && comes_first(h, sides[k - 1]); --k) sides[k] = sides[k - 1];
+    sides[k] = h;
+  }
+}
 
 /// Consecutive triangles and the least and greatest of their vertices.
 struct Stretch {
@@ -52,13 +68,17 @@ class Parts {
       const std::size_t last = first + length_;
       for (const Stretch& s : stretches_) {
         if (s.greatest < first || s.least >= last) continue;
+        const bool is_within = s.least >= first && s.greatest < last;
         for (std::size_t t = s.first; t < s.last; ++t) {
-          const auto& v = mesh_.triangles[t];
-          for (std::size_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(v[(k + 1) % 3], v[(k + 2) % 3]);
-            const auto at = static_cast<std::size_t>(low);
-            if (at >= first && at < last) f(at, HalfEdge{high, static_cast<int>(3 * t + k)});
-          }
+          const auto [a, b, c] = mesh_.triangles[t];
+          const int side = static_cast<int>(3 * t);
+          const auto visit = [&](int from, int to, int k) {
+            const auto low = static_cast<std::size_t>(std::min(from, to));
+            if (is_within || (low >= first && low < last)) f(low, HalfEdge{std::max(from, to), side + k});
+          };
+          visit(b, c, 0);
+          visit(c, a, 1);
+          visit(a, b, 2);
         }
       }
     });
@@ -73,17 +93,17 @@ class Parts {
 
 }  // namespace
 
-HalfEdges::HalfEdges(const Mesh& mesh) : start_(mesh.points.size() + 1, 0), all_(3 * mesh.triangles.size()) {
+HalfEdges::HalfEdges(const Mesh& mesh)
+    : start_(mesh.points.size() + 1, 0), all_(std::make_unique_for_overwrite<HalfEdge[]>(3 * mesh.triangles.size())) {
   const Parts parts(mesh);
   parts.for_each_side([&](std::size_t low, const HalfEdge&) { ++start_[low + 1]; });
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
-  std::vector<std::size_t> end(start_.begin(), start_.end() - 1);
+  std::vector<std::uint32_t> end(start_.begin(), start_.end() - 1);
   parts.for_each_side([&](std::size_t low, const HalfEdge& h) { all_[end[low]++] = h; });
   const Ranges ranges(mesh.points.size());
   parallel_for(ranges.count(), [&](int range) {
     for (std::size_t v = ranges.first(range); v < ranges.last(range); ++v)
-      std::sort(all_.begin() + static_cast<std::ptrdiff_t>(start_[v]),
-                all_.begin() + static_cast<std::ptrdiff_t>(start_[v + 1]), comes_first);
+      sort_sides({all_.get() + start_[v], all_.get() + start_[v + 1]});
   });
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -31,13 +33,11 @@ class HalfEdges {
   explicit HalfEdges(const Mesh& mesh);
 
   /// The sides whose lower end point is v.
-  std::span<const HalfEdge> at(std::size_t v) const {
-    return std::span(all_).subspan(start_[v], start_[v + 1] - start_[v]);
-  }
+  std::span<const HalfEdge> at(std::size_t v) const { return {all_.get() + start_[v], all_.get() + start_[v + 1]}; }
 
  private:
-  std::vector<std::size_t> start_;
-  std::vector<HalfEdge> all_;
+  std::vector<std::uint32_t> start_;
+  std::unique_ptr<HalfEdge[]> all_;
 };
 
 }  // namespace parmesan

@@ -1,5 +1,8 @@
 #include "mesher/particles/fast_schedule.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "mesher/particles/boundary.h"
 #include "mesher/particles/chords.h"
 #include "mesher/particles/local_repair.h"
@@ -32,9 +35,12 @@ class FastSchedule {
 
 int FastSchedule::rounds_needed() const {
   constexpr double settled_demand = 0.012;  // measured: below it relaxation gains more than population
-  constexpr double small_demand = 0.03;     // the first round meets it
+  constexpr double small_demand = 0.03;     // the first round meets it, if it is not for density
+  constexpr double right_area = 0.02;
   const double demand = population_demand(particles_, {});
-  return demand < settled_demand ? 0 : demand < small_demand ? 1 : options_.rounds;
+  if (demand < settled_demand) return 0;
+  const bool is_near = demand < small_demand && std::abs(area_per_particle(particles_) - 1.0) < right_area;
+  return is_near ? std::min(1, options_.rounds) : options_.rounds;
 }
 
 void FastSchedule::match_population() {

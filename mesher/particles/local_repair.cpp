@@ -17,6 +17,7 @@ namespace {
 constexpr double longest = 1.36;
 constexpr double poor_quality = 0.7;
 constexpr double strict_poor_quality = 0.65;
+constexpr double suspect_quality = 0.9;  // above it no triangle is so poor in the densest metric
 
 double square(double x) { return x * x; }
 
@@ -46,7 +47,8 @@ bool needs_repair(const Star& star, const Point& p, const Metric& m) {
     const double b = star.spoke(i).metric.squared_length(d);
     if (0.5 * (a + b) > above || a * b * above * above < 1.0) return true;
   }
-  return star.min_quality(p, m) < poor_quality || strict_deficit(star, p, m) > 0.0;
+  const double quality = star.min_quality(p, m);
+  return quality < poor_quality || (quality < suspect_quality && strict_deficit(star, p, m) > 0.0);
 }
 
 // The sum that repair makes smaller; infinite where a triangle is not counter-clockwise.

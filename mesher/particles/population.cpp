@@ -226,4 +226,18 @@ double population_demand(const ParticleSystem& particles, const PopulationRules&
   return (of_stars + of_edges) / mesh.num_vertices();
 }
 
+// A triangle is in three stars.
+double area_per_particle(const ParticleSystem& particles) {
+  const Triangulation& mesh = particles.mesh();
+  const auto is_free = [&](VertexId v) { return mesh.has_vertex(v) && particles.is_free(v); };
+  const double count = estimated_sum(mesh.num_slots(), [&](VertexId v) { return is_free(v) ? 1.0 : 0.0; });
+  const double stars = estimated_sum(mesh.num_slots(), [&](VertexId v) {
+    if (!is_free(v)) return 0.0;
+    Star star;
+    star.gather(particles, v);
+    return star.metric_area(mesh.point(v), particles.metric(v));
+  });
+  return count > 0.0 ? stars / (3.0 * count * 0.5 * std::numbers::sqrt3) : 1.0;
+}
+
 }  // namespace parmesan

@@ -30,6 +30,10 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 /// 20 000 particles or edges.
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
+/// Area of the mesh in the metric per particle over that of a unit mesh, sqrt3 / 2: above 1 there are too few
+/// particles, though each edge alone may be within the rules. Estimated like the demand, boundaries aside.
+double area_per_particle(const ParticleSystem& particles);
+
 /// Collapses one end of e into the other if that leaves valid triangles; a fixed particle stays, a
 /// bound one goes only along its own segment. Returns whether it did.
 bool collapse_if_valid(ParticleSystem& particles, EdgeId e);
