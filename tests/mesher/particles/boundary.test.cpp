@@ -53,6 +53,7 @@ TEST_CASE("match_counts gives every segment its count, targets are equidistant i
   const Boundary boundary(particles);
   boundary.match_counts(particles);
   CHECK(check(particles.mesh()).empty());
+  CHECK(flip_all(particles) == 0);
 
   const std::vector<double> targets = boundary.targets(particles);
   std::vector<int> bound(domain.segments.size(), 0);

@@ -77,6 +77,18 @@ TEST_CASE("a relaxed mesh demands few particles, a coarse one about those that i
   CHECK(population_demand(grid, {}) == Approx(4.0 * (3.0 * n - 3.0 - 2.0 * 40.0) / n).epsilon(0.05));
 }
 
+TEST_CASE("demand and area are estimated from a part of a large mesh", "[mesher][particles]") {
+  // A grid of spacing 1 where 1/2 is asked for: the squares of its free edges' lengths are 4, 4 and, on the diagonal, 8;
+  // each has one of each to a particle. Each particle has the area 4.
+  const int cells = GENERATE(60, 240);
+  const Domain domain = support::unit_square();
+  const ConstantField field(Metric::isotropic(1.0 / cells));
+  ParticleSystem particles = grid_particles(cells, domain, field);
+  particles.set_level({.scale = 4.0});
+  CHECK(population_demand(particles, {}) == Approx(16.0).epsilon(0.05));
+  CHECK(area_per_particle(particles) == Approx(4.0 / (0.5 * std::sqrt(3.0))).epsilon(0.01));
+}
+
 TEST_CASE("a thin layer that the mesh has not seen is demanded, though it is resolved nowhere", "[mesher][particles]") {
   const Domain domain = support::unit_square();
   const CallableField layer(
