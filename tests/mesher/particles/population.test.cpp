@@ -78,8 +78,8 @@ TEST_CASE("a relaxed mesh demands few particles, a coarse one about those that i
 }
 
 TEST_CASE("demand and area are estimated from a part of a large mesh", "[mesher][particles]") {
-  // A grid of spacing 1 where 1/2 is asked for: the squares of its free edges' lengths are 4, 4 and, on the diagonal, 8;
-  // each has one of each to a particle. Each particle has the area 4.
+  // A grid of spacing 1 where 1/2 is asked for: the squares of its free edges' lengths are 4, 4 and, on the diagonal,
+  // 8; each has one of each to a particle. Each particle has the area 4.
   const int cells = GENERATE(60, 240);
   const Domain domain = support::unit_square();
   const ConstantField field(Metric::isotropic(1.0 / cells));
