@@ -159,7 +159,7 @@ void set_segments(const Mesh& mesh, std::span<const int> edge_segments, const st
   }
   for (const EdgeId e : boundary) {
     if (t.is_constrained(e)) continue;
-    const auto [a, b] = std::minmax(t.org(e), t.dest(e));
+    const auto [a, b] = std::minmax({t.org(e), t.dest(e)});
     throw GeometryError("the boundary has no edge from vertex " + std::to_string(a) + " to " + std::to_string(b),
                         {a, b});
   }
