@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesher/geometry/predicates.h"
 #include "mesher/triangulation/neighbors.h"
 
 namespace parmesan {
@@ -9,12 +10,90 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// The new vertex on the side opposite to each corner of each triangle; appends the points.
-std::vector<std::array<int, 3>> number_midpoints(const Mesh& mesh, std::vector<Point>& points) {
+using Corners = std::array<int, 3>;
+
+// Up to four triangles, counter-clockwise like the one that they fill.
+struct Children {
+  std::array<Corners, 4> triangles;
+  std::size_t count = 0;
+  void add(int a, int b, int c) { triangles[count++] = {a, b, c}; }
+};
+
+// middle: the vertex on the side opposite to each corner, -1 on a side that is not cut.
+Children children_of(const Corners& corners, const Corners& middle) {
+  Children children;
+  const auto cuts = std::count_if(middle.begin(), middle.end(), [](int m) { return m >= 0; });
+  if (cuts == 0) children.add(corners[0], corners[1], corners[2]);
+  if (cuts == 3) {
+    children.add(corners[0], middle[2], middle[1]);
+    children.add(middle[2], corners[1], middle[0]);
+    children.add(middle[1], middle[0], corners[2]);
+    children.add(middle[0], middle[1], middle[2]);
+  }
+  for (std::size_t k = 0; k < 3 && (cuts == 1 || cuts == 2); ++k) {
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    if (cuts == 1 && middle[k] >= 0) {
+      children.add(corners[k], corners[i], middle[k]);
+      children.add(corners[k], middle[k], corners[j]);
+    }
+    if (cuts == 2 && middle[k] < 0) {
+      children.add(corners[k], middle[j], middle[i]);
+      children.add(corners[i], corners[j], middle[i]);
+      children.add(corners[i], middle[i], middle[j]);
+    }
+  }
+  return children;
+}
+
+/// Which triangles are left whole, with their sides: those that rounded midpoints would turn over or flatten.
+class Rounding {
+ public:
+  Rounding(const Mesh& mesh, const std::vector<Corners>& neighbors)
+      : mesh_(mesh), neighbors_(neighbors), whole_(mesh.triangles.size(), false) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t t = 0; t < whole_.size(); ++t) {
+        if (whole_[t] || !spoils(t)) continue;
+        whole_[t] = changed = true;
+      }
+    }
+  }
+
+  bool cuts(std::size_t t, std::size_t k) const {
+    const int other = neighbors_[t][k];
+    return !whole_[t] && !(other >= 0 && whole_[at(other)]);
+  }
+
+ private:
+  const Mesh& mesh_;
+  const std::vector<Corners>& neighbors_;
+  std::vector<bool> whole_;
+
+  bool spoils(std::size_t t) const {
+    std::array<Point, 6> points;  // the corners, then the midpoints of the opposite sides
+    Corners middle{-1, -1, -1};
+    for (std::size_t k = 0; k < 3; ++k) points[k] = mesh_.points[at(mesh_.triangles[t][k])];
+    for (std::size_t k = 0; k < 3; ++k) {
+      points[3 + k] = midpoint(points[(k + 1) % 3], points[(k + 2) % 3]);
+      if (cuts(t, k)) middle[k] = static_cast<int>(3 + k);
+    }
+    const Children children = children_of({0, 1, 2}, middle);
+    const auto is_positive = [&points](const Corners& c) {
+      return orient2d(points[at(c[0])], points[at(c[1])], points[at(c[2])]) > 0.0;
+    };
+    return !std::all_of(children.triangles.begin(), children.triangles.begin() + children.count, is_positive);
+  }
+};
+
+// The new vertex on the side opposite to each corner of each triangle, -1 where there is none; appends the points.
+std::vector<Corners> number_midpoints(const Mesh& mesh, std::vector<Point>& points) {
   const auto neighbors = triangle_neighbors(mesh);
-  std::vector<std::array<int, 3>> middle(mesh.triangles.size());
+  const Rounding rounding(mesh, neighbors);
+  std::vector<Corners> middle(mesh.triangles.size(), {-1, -1, -1});
   for (std::size_t t = 0; t < middle.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
+      if (!rounding.cuts(t, k)) continue;
       const int other = neighbors[t][k];
       if (other >= 0 && at(other) < t) {
         const auto side = std::find(neighbors[at(other)].begin(), neighbors[at(other)].end(), static_cast<int>(t));
@@ -29,12 +108,13 @@ std::vector<std::array<int, 3>> number_midpoints(const Mesh& mesh, std::vector<P
   return middle;
 }
 
-// The midpoint of each listed edge, looked up among the sides whose ends both lie on listed edges.
-std::vector<int> edge_midpoints(const Mesh& mesh, const std::vector<std::array<int, 3>>& middle) {
+// The midpoint of each listed edge, -1 where it is not cut, looked up among the sides whose ends both lie on listed
+// edges.
+std::vector<int> edge_midpoints(const Mesh& mesh, const std::vector<Corners>& middle) {
   std::vector<bool> on_edge(mesh.points.size(), false);
   for (const auto& e : mesh.edges)
     for (const int v : e) on_edge[at(v)] = true;
-  std::vector<std::array<int, 3>> sides;  // the two ends, ascending, and the midpoint
+  std::vector<Corners> sides;  // the two ends, ascending, and the midpoint
   for (std::size_t t = 0; t < middle.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(mesh.triangles[t][(k + 1) % 3], mesh.triangles[t][(k + 2) % 3]);
@@ -44,7 +124,7 @@ std::vector<int> edge_midpoints(const Mesh& mesh, const std::vector<std::array<i
   std::sort(sides.begin(), sides.end());
   std::vector<int> found;
   for (const auto& [a, b] : mesh.edges) {
-    const std::array<int, 3> key{std::min(a, b), std::max(a, b), -1};
+    const Corners key{std::min(a, b), std::max(a, b), -1};
     found.push_back((*std::lower_bound(sides.begin(), sides.end(), key))[2]);
   }
   return found;
@@ -59,17 +139,21 @@ Mesh refine_red(const Mesh& mesh) {
   fine.region_names = mesh.region_names;
   const auto middle = number_midpoints(mesh, fine.points);
   for (std::size_t t = 0; t < middle.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const auto& [ma, mb, mc] = middle[t];
-    for (const auto& child : {std::array<int, 3>{a, mc, mb}, {mc, b, ma}, {mb, ma, c}, {ma, mb, mc}})
-      fine.triangles.push_back(child);
-    fine.regions.insert(fine.regions.end(), 4, mesh.regions[t]);
+    const Children children = children_of(mesh.triangles[t], middle[t]);
+    fine.triangles.insert(fine.triangles.end(), children.triangles.begin(),
+                          children.triangles.begin() + children.count);
+    fine.regions.insert(fine.regions.end(), children.count, mesh.regions[t]);
   }
   const std::vector<int> edge_middle = edge_midpoints(mesh, middle);
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
-    fine.edges.push_back({mesh.edges[i][0], edge_middle[i]});
-    fine.edges.push_back({edge_middle[i], mesh.edges[i][1]});
-    fine.labels.insert(fine.labels.end(), 2, mesh.labels[i]);
+    const auto& [a, b] = mesh.edges[i];
+    const int m = edge_middle[i];
+    if (m < 0) {
+      fine.edges.push_back({a, b});
+    } else {
+      fine.edges.insert(fine.edges.end(), {{a, m}, {m, b}});
+    }
+    fine.labels.resize(fine.edges.size(), mesh.labels[i]);
   }
   return fine;
 }

@@ -6,7 +6,9 @@ namespace parmesan {
 
 /// Red refinement: every triangle is cut into four at the midpoints of its edges, every listed edge
 /// into two. Regions and labels are inherited; old vertices keep their numbers, a midpoint is
-/// numbered with the first triangle that has it. Shapes stay as they are. Cost: O(n).
+/// numbered with the first triangle that has it. Shapes stay as they are. A triangle so small or flat
+/// that its rounded midpoints would flatten it or turn it over keeps its sides whole; its neighbors are
+/// cut in three or in two. Triangles that were positive stay so, exactly. Cost: O(n).
 Mesh refine_red(const Mesh& mesh);
 
 }  // namespace parmesan

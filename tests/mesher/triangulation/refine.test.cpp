@@ -2,7 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "mesher/triangulation/conversion.h"
+#include "mesher/triangulation/triangulate.h"
 #include "tests/oracle/mesh_checker.h"
+#include "tests/support/domains.h"
 #include "tests/support/meshes.h"
 
 using namespace parmesan;
@@ -33,4 +36,20 @@ TEST_CASE("labels, interior constraints and regions are inherited", "[mesher][tr
     for (const int v : fine.triangles[t]) x += fine.points[static_cast<std::size_t>(v)].x / 3.0;
     CHECK(fine.regions[t] == (x < 0.5 ? 1 : 2));
   }
+}
+
+TEST_CASE("triangles too small or too flat for midpoints are left whole, and all stay positive",
+          "[mesher][triangulation]") {
+  // Vertices one and two units in the last place apart, beside one another and along a diagonal.
+  Domain domain = support::unit_square();
+  for (const double d : {0.0, 0x1p-53, 0x1p-52})
+    domain.points.insert(domain.points.end(), {{0.5 + d, 0.5}, {0.5 - d, 0.75 + d}});
+  const Mesh coarse = to_mesh(triangulate(domain), std::vector<int>{1, 2, 3, 4}).mesh;
+  REQUIRE(oracle::problems_of(coarse).empty());
+  const int levels = GENERATE(1, 2, 3, 4);
+  Mesh fine = coarse;
+  for (int i = 0; i < levels; ++i) fine = refine_red(fine);
+  CHECK(oracle::problems_of(fine).empty());
+  CHECK(oracle::area_of(fine) == Approx(oracle::area_of(coarse)).epsilon(1e-14));
+  CHECK(fine.num_edges() == 4 << levels);
 }
