@@ -13,7 +13,7 @@ template <class F>
 void parallel_for(int n, F f) {
   std::exception_ptr failure;
   int failed = n;
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (n > 1)
   for (int i = 0; i < n; ++i) {
     try {
       f(i);
