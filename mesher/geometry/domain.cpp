@@ -6,13 +6,14 @@
 
 namespace parmesan {
 
-CleanDomain clean(const Domain& domain) {
+CleanDomain clean(const Domain& domain, Crossings crossings) {
   check_input(domain);
   DomainRepair repair = merge_duplicate_points(domain);
   require_extent(repair);
   repair = drop_repeated_segments(std::move(repair));
   require_seeds_off_points(repair);
   repair = split_at_inner_vertices(std::move(repair));
+  if (crossings == Crossings::Split) repair = split_at_crossings(std::move(repair));
   refuse_crossings(repair);
   repair = require_enclosure(std::move(repair));
   repair = note_close_points(std::move(repair));

@@ -40,6 +40,12 @@ struct Domain {
   LabelNames region_names;
 };
 
+/// What is done about segments that cross where neither has a point.
+enum class Crossings {
+  Refuse,
+  Split  // both, at the rounded crossing point: the planar subdivision
+};
+
 /// A repaired copy and what was repaired, or kept though doubtful, one sentence each.
 struct CleanDomain {
   Domain domain;
@@ -49,14 +55,14 @@ struct CleanDomain {
 /// Makes a domain fit for triangulation: merges duplicate points, drops repeated and zero-length
 /// segments (the first keeps its label), splits segments at points that lie exactly on them and at
 /// overlaps. Keeps the order of points and segments. Notes free ends, and points that are under 1e-7
-/// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from 0.
+/// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from 0; points made at crossings
+/// are numbered after them.
 ///
 /// Errors: GeometryError for coordinates that are not finite or over 1e75, indices out of range,
 /// fewer than three non-collinear points, properly crossing segments (names both and the crossing
-/// point), segments that enclose no area (names an open end), a hole or region seed on a segment.
-/// A seed outside of what the segments enclose is not looked for.
-/// Cost: O(n log n) expected.
-CleanDomain clean(const Domain& domain);
+/// point) unless they are to be split, segments that enclose no area (names an open end), a hole or region seed on a
+/// segment. A seed outside of what the segments enclose is not looked for. Cost: O(n log n) expected.
+CleanDomain clean(const Domain& domain, Crossings crossings = Crossings::Refuse);
 
 /// The boundary and labelled edges of a mesh as a domain (the corners are the vertices where the
 /// boundary turns or its label changes; collinear edges of one label become one segment), with a

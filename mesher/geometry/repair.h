@@ -45,6 +45,10 @@ void require_seeds_off_points(const DomainRepair& repair);
 /// Errors: GeometryError for a seed on a segment.
 DomainRepair split_at_inner_vertices(DomainRepair repair);
 
+/// Splits segments that cross where they do, until none is left: rounded crossing points turn the pieces a
+/// little, which may make them cross others. No rounding is known that ends for sure, so rounds are counted.
+DomainRepair split_at_crossings(DomainRepair repair);
+
 /// Errors: GeometryError for segments that cross, with both and the point.
 void refuse_crossings(const DomainRepair& repair);
 

@@ -158,7 +158,7 @@ void refuse_crossings(const DomainRepair& repair) {
   throw GeometryError("segments " + text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) +
                           " cross at " +
                           text(crossing_point(repair.point(a), repair.point(b), repair.point(c), repair.point(d))) +
-                          "; split both there or move one",
+                          "; split both there (mesh --repair does) or move one",
                       {repair.source_segment(s), repair.source_segment(t)});
 }
 

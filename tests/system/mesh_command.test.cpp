@@ -190,3 +190,13 @@ TEST_CASE("a requirement that is missed ends with 9 and keeps the mesh", "[syste
   CHECK_THAT(result.err, Catch::Contains("quality"));
   CHECK(std::filesystem::exists(folder / "out.mesh"));
 }
+
+TEST_CASE("mesh --repair makes the planar subdivision of crossing segments, and says where", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("bow_tie.poly", bow_tie_poly);
+  const ProgramResult result = run_program({"mesh", input, "--repair", "--size", "0.2", "-o", folder / "a.mesh"});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK_THAT(result.err, Catch::Contains("1 crossing: 0 and 2 at (0.5, 0.5)"));
+  CHECK(quality_of({folder / "a.mesh"}).at("triangles").get<int>() == Approx(0.5 / (0.433 * 0.04)).epsilon(0.6));
+}

@@ -32,6 +32,7 @@ struct MeshArguments {
   std::vector<std::string> outputs;
   Preset preset = GenerateOptions{}.preset;
   std::string schedule = "fast";
+  bool repair = false;
   Requirements requirements;
   CommonOptions common;
 };
@@ -95,6 +96,12 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) print_warning(warning);
 }
 
+Domain read_repaired(const std::string& path) {
+  CleanDomain cleaned = clean(read_geometry(path), Crossings::Split);
+  print_warnings(cleaned.repairs);
+  return std::move(cleaned.domain);
+}
+
 bool holds(const std::string& name, double value, double least) {
   if (value >= least) return true;
   print_error(name + " is " + format_number(value) + ", required was " + format_number(least));
@@ -111,7 +118,7 @@ bool meets(const Mesh& mesh, const MeshQuality& quality, const Requirements& req
 ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
   for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
-  const Domain domain = read_geometry(arguments.geometry);
+  const Domain domain = arguments.repair ? read_repaired(arguments.geometry) : read_geometry(arguments.geometry);
   const Inputs inputs = read_inputs(arguments);
   const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs),
                                          inputs.previous ? &*inputs.previous : nullptr);
@@ -172,6 +179,7 @@ Command add_mesh_command(CLI::App& program) {
   app->add_option("GEOMETRY", arguments->geometry, "What is to be meshed: .poly (Triangle) or .mesh (Medit)")
       ->required()
       ->option_text(" ");
+  app->add_flag("--repair", arguments->repair, "Split segments where they cross instead of refusing the geometry");
   app->add_option("-o,--out", arguments->outputs, "File for the mesh; the suffix names the format; may be repeated")
       ->required()
       ->take_all()

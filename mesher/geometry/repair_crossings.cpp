@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "mesher/geometry/repair.h"
+#include "mesher/geometry/segment_contacts.h"
+
+namespace parmesan {
+namespace {
+
+/// The points of a domain by their place; a new place gets a new point, numbered after the user's.
+class PointIndex {
+ public:
+  explicit PointIndex(DomainRepair& repair) : repair_(repair) {
+    int index = 0;
+    for (const Point& p : repair.domain.points) index_[{p.x, p.y}] = index++;
+  }
+
+  int at(const Point& p) {
+    const int next = static_cast<int>(repair_.domain.points.size());
+    const auto [found, is_new] = index_.try_emplace({p.x, p.y}, next);
+    if (is_new) {
+      const auto& sources = repair_.point_sources;
+      repair_.domain.points.push_back(p);
+      repair_.point_sources.push_back(1 + *std::max_element(sources.begin(), sources.end()));
+    }
+    return found->second;
+  }
+
+ private:
+  DomainRepair& repair_;
+  std::map<std::pair<double, double>, int> index_;
+};
+
+/// For each segment the points where others cross it, in their order from a to b; notes the crossings.
+std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::vector<std::array<int, 2>>& crossings,
+                                              std::vector<std::string>& notes) {
+  PointIndex index(repair);
+  std::vector<std::vector<int>> along(repair.domain.segments.size());
+  for (const auto& [s, t] : crossings) {
+    const auto [a, b, s_label] = repair.segment(s);
+    const auto [c, d, t_label] = repair.segment(t);
+    const Point p = crossing_point(repair.point(a), repair.point(b), repair.point(c), repair.point(d));
+    notes.push_back(text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) + " at " + text(p));
+    const int v = index.at(p);
+    along[static_cast<std::size_t>(s)].push_back(v);
+    along[static_cast<std::size_t>(t)].push_back(v);
+  }
+  for (std::size_t s = 0; s < along.size(); ++s) {
+    const Point& from = repair.point(repair.domain.segments[s].a);
+    const Vector direction = repair.point(repair.domain.segments[s].b) - from;
+    const auto position = [&](int v) { return dot(repair.point(v) - from, direction); };
+    std::sort(along[s].begin(), along[s].end(), [&](int v, int w) { return position(v) < position(w); });
+  }
+  return along;
+}
+
+DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>>& along) {
+  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
+  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    int from = segments[s].a;
+    const auto add_up_to = [&](int v) {
+      if (v != from) {
+        repair.domain.segments.push_back({from, v, segments[s].label});
+        repair.segment_sources.push_back(sources[s]);
+      }
+      from = v;
+    };
+    for (const int v : along[s]) add_up_to(v);
+    add_up_to(segments[s].b);
+  }
+  return repair;
+}
+
+}  // namespace
+
+DomainRepair split_at_crossings(DomainRepair repair) {
+  constexpr int max_rounds = 1000;  // a search ends after 1000 crossings
+  std::vector<std::string> notes;
+  for (int round = 0; round < max_rounds; ++round) {
+    const auto crossings = segment_crossings(repair.domain.points, repair.domain.segments);
+    if (crossings.empty()) break;
+    const auto along = crossings_along(repair, crossings, notes);
+    repair = split_at_inner_vertices(drop_repeated_segments(split_along(std::move(repair), along)));
+  }
+  repair.note("split segments at", "crossing", notes);
+  return repair;
+}
+
+}  // namespace parmesan
