@@ -41,8 +41,8 @@ std::string three_digits(std::size_t number) {
 }
 
 // |u_h - u| at the centroid of each triangle; 0 where u is not finite.
-VtuField error_field(const Iterate& iterate, const Expression& exact) {
-  VtuField field{"error", 1, {}};
+MeshField error_field(const Iterate& iterate, const Expression& exact) {
+  MeshField field{"error", 1, {}};
   for (const auto& t : iterate.mesh.triangles) {
     Point center;
     double value = 0.0;
@@ -56,8 +56,8 @@ VtuField error_field(const Iterate& iterate, const Expression& exact) {
   return field;
 }
 
-VtuFields fields_of(const Case& input, const Iterate& iterate) {
-  VtuFields fields;
+MeshFields fields_of(const Case& input, const Iterate& iterate) {
+  MeshFields fields;
   fields.points.push_back({"solution", 1, iterate.values});
   fields.points.push_back(tensor_field("metric", iterate.metrics));
   if (input.exact) fields.cells.push_back(error_field(iterate, *input.exact));

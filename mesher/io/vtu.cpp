@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstdint>
 
-#include "mesher/errors.h"
 #include "mesher/io/base64.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/xml_text.h"
@@ -26,14 +25,6 @@ void write_array(OutputFile& out, const char* type, const std::string& name, int
   encoded.write(values.data(), bytes);
   encoded.finish();
   out << "</DataArray>\n";
-}
-
-void check_field(const VtuField& field, std::size_t entities, const char* where) {
-  if (field.components < 1 || field.values.size() != entities * static_cast<std::size_t>(field.components)) {
-    throw InputError("field '" + field.name + "' has " + std::to_string(field.values.size()) + " values of " +
-                     std::to_string(field.components) + " components, the mesh has " + std::to_string(entities) + " " +
-                     where);
-  }
 }
 
 void write_points(OutputFile& out, const Mesh& mesh) {
@@ -62,30 +53,24 @@ void write_cells(OutputFile& out, const Mesh& mesh) {
   out << "</Cells>\n";
 }
 
-void write_fields(OutputFile& out, const Mesh& mesh, const VtuFields& fields) {
+/// ParaView knows scalars, vectors and tensors by their 1, 3 and 9 components.
+void write_field(OutputFile& out, const MeshField& field) {
+  write_array(out, "Float64", field.name, components_in_space(field), values_in_space(field));
+}
+
+void write_fields(OutputFile& out, const Mesh& mesh, const MeshFields& fields) {
   out << "<PointData>\n";
-  for (const VtuField& field : fields.points) write_array(out, "Float64", field.name, field.components, field.values);
+  for (const MeshField& field : fields.points) write_field(out, field);
   out << "</PointData>\n<CellData>\n";
   write_array(out, "Int32", "region", 1, mesh.regions);
-  for (const VtuField& field : fields.cells) write_array(out, "Float64", field.name, field.components, field.values);
+  for (const MeshField& field : fields.cells) write_field(out, field);
   out << "</CellData>\n";
 }
 
 }  // namespace
 
-VtuField tensor_field(const std::string& name, std::span<const Metric> metrics) {
-  VtuField field{name, 9, {}};
-  field.values.reserve(9 * metrics.size());
-  for (const Metric& metric : metrics) {
-    const SymmetricTensor& m = metric.tensor();
-    field.values.insert(field.values.end(), {m.xx, m.xy, 0.0, m.xy, m.yy, 0.0, 0.0, 0.0, 0.0});
-  }
-  return field;
-}
-
-void write_vtu(const std::string& path, const Mesh& mesh, const VtuFields& fields) {
-  for (const VtuField& field : fields.points) check_field(field, mesh.points.size(), "vertices");
-  for (const VtuField& field : fields.cells) check_field(field, mesh.triangles.size(), "triangles");
+void write_vtu(const std::string& path, const Mesh& mesh, const MeshFields& fields) {
+  check_fields(fields, mesh);
   OutputFile out(path);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"" << byte_order
       << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh.points.size()
