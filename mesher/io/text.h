@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -38,6 +39,10 @@ class TextReader {
 
   /// Goes to the start of the next line.
   void skip_line();
+
+  /// The byte of the text where the reader stands, and going to one: for files that are text in parts.
+  std::size_t position() const { return static_cast<std::size_t>(position_ - text_.data()); }
+  void seek(std::size_t position) { position_ = text_.data() + position; }
 
   /// The next word: up to a blank or '#', or a whole string in double quotes.
   std::string_view word(const char* what);

@@ -1,0 +1,192 @@
+#include "mesher/io/msh_content.h"
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <set>
+#include <system_error>
+
+#include "mesher/errors.h"
+#include "mesher/io/boundary_edges.h"
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// The elements at these places, in their order.
+template <std::size_t N>
+MshElements<N> selected(const MshElements<N>& elements, const std::vector<int>& places) {
+  MshElements<N> result;
+  for (const int i : places) {
+    result.tags.push_back(elements.tags[at(i)]);
+    result.nodes.push_back(elements.nodes[at(i)]);
+    result.groups.push_back(elements.groups[at(i)]);
+  }
+  return result;
+}
+
+template <std::size_t N>
+void sort_by_tag(MshElements<N>& elements) {
+  if (std::is_sorted(elements.tags.begin(), elements.tags.end())) return;
+  std::vector<int> order(elements.tags.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&elements](int a, int b) { return elements.tags[at(a)] < elements.tags[at(b)]; });
+  elements = selected(elements, order);
+}
+
+/// Format 2 gives elements of several groups several times; the first one stays.
+void drop_repeated_lines(MshElements<2>& lines) {
+  std::set<std::array<int, 2>> seen;
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < lines.nodes.size(); ++i) {
+    const auto& [a, b] = lines.nodes[i];
+    if (seen.insert({std::min(a, b), std::max(a, b)}).second) kept.push_back(static_cast<int>(i));
+  }
+  if (kept.size() < lines.nodes.size()) lines = selected(lines, kept);
+}
+
+/// The number that stands for a group of this name, when it is one that Gmsh's numbers cannot be.
+bool is_number_below_1(const std::string& name, int& number) {
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  return error == std::errc() && end == name.data() + name.size() && number < 1;
+}
+
+/// The numbers of the entities, or 0 where there is only one.
+std::vector<int> entities_of(const std::vector<MshGroup>& groups) {
+  const bool is_one =
+      std::all_of(groups.begin(), groups.end(), [&groups](MshGroup g) { return g.entity == groups[0].entity; });
+  std::vector<int> labels(groups.size(), 0);
+  if (is_one) return labels;
+  std::transform(groups.begin(), groups.end(), labels.begin(), [](MshGroup g) { return g.entity; });
+  return labels;
+}
+
+/// One label for each element; names: those of the labels.
+std::vector<int> labels_of(const std::vector<MshGroup>& groups, int dimension, const MshContent& content,
+                           LabelNames& names) {
+  if (std::all_of(groups.begin(), groups.end(), [](MshGroup g) { return g.physical == 0; })) return entities_of(groups);
+  std::map<int, int> label_of;
+  for (const auto& [key, name] : content.physical_names) {
+    if (key.first != dimension) continue;
+    int number = 0;
+    if (is_number_below_1(name, number)) {
+      label_of[key.second] = number;
+    } else {
+      names[key.second] = name;
+    }
+  }
+  std::vector<int> labels;
+  labels.reserve(groups.size());
+  for (const MshGroup& group : groups) {
+    const auto found = label_of.find(group.physical);
+    labels.push_back(found == label_of.end() ? group.physical : found->second);
+  }
+  return labels;
+}
+
+/// Leaves out the nodes that no element has; the indices of those that stay.
+std::vector<int> take_used_nodes(const MshContent& content, Mesh& mesh) {
+  std::vector<int> renumbered(content.nodes.size(), -1);
+  for (const auto& line : mesh.edges) {
+    for (const int v : line) renumbered[at(v)] = 0;
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const int v : triangle) renumbered[at(v)] = 0;
+  }
+  std::vector<int> used;
+  for (std::size_t i = 0; i < renumbered.size(); ++i) {
+    if (renumbered[i] < 0) continue;
+    const auto& [x, y, z] = content.nodes[i];
+    if (z != 0.0) {
+      throw InputError("node " + std::to_string(content.node_tags.tag(static_cast<int>(i))) +
+                       " has a z that is not 0: the mesh must lie in the plane");
+    }
+    renumbered[i] = static_cast<int>(used.size());
+    used.push_back(static_cast<int>(i));
+    mesh.points.push_back({x, y});
+  }
+  for (auto& line : mesh.edges) {
+    for (int& v : line) v = renumbered[at(v)];
+  }
+  for (auto& triangle : mesh.triangles) {
+    for (int& v : triangle) v = renumbered[at(v)];
+  }
+  return used;
+}
+
+void turn_clockwise_triangles(Mesh& mesh) {
+  for (auto& [a, b, c] : mesh.triangles) {
+    if (doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]) < 0.0) std::swap(b, c);
+  }
+}
+
+/// The components in the plane of one value.
+void append_plane_value(const MshField& field, std::size_t i, std::vector<double>& values) {
+  const double* v = field.values.data() + i * static_cast<std::size_t>(field.components);
+  const auto refuse = [&field, i](const char* problem) {
+    throw InputError("field '" + field.name + "' at tag " + std::to_string(field.tags[i]) + ": " + problem);
+  };
+  if (field.components == 1) {
+    values.push_back(v[0]);
+  } else if (field.components == 3) {
+    if (v[2] != 0.0) refuse("the vector leaves the plane");
+    values.insert(values.end(), {v[0], v[1]});
+  } else {
+    if (v[1] != v[3]) refuse("the tensor is not symmetric");
+    if (v[2] != 0.0 || v[5] != 0.0 || v[6] != 0.0 || v[7] != 0.0 || v[8] != 0.0) refuse("the tensor leaves the plane");
+    values.insert(values.end(), {v[0], v[1], v[4]});
+  }
+}
+
+/// A field with one value for each of our entities; tag_of: the tag of each of them.
+MeshField plane_field(const MshField& field, const std::vector<std::int64_t>& tag_of, const char* what) {
+  TagMap places;
+  for (const std::int64_t tag : field.tags) places.add(tag);
+  if (!places.finish()) throw InputError("field '" + field.name + "' has two values at one tag");
+  MeshField result{field.name, field.components == 1 ? 1 : (field.components == 3 ? 2 : 3), {}};
+  for (const std::int64_t tag : tag_of) {
+    const int place = places.index(tag);
+    if (place < 0) throw InputError("field '" + field.name + "' has no value at " + what + " " + std::to_string(tag));
+    append_plane_value(field, at(place), result.values);
+  }
+  return result;
+}
+
+/// Of fields of one name, which are time steps, the last one is taken.
+std::vector<MeshField> plane_fields(const std::vector<MshField>& fields, const std::vector<std::int64_t>& tag_of,
+                                    const char* what) {
+  std::vector<MeshField> result;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const bool has_later_step = std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(i) + 1, fields.end(),
+                                            [&](const MshField& later) { return later.name == fields[i].name; });
+    if (!has_later_step) result.push_back(plane_field(fields[i], tag_of, what));
+  }
+  return result;
+}
+
+}  // namespace
+
+MeshData mesh_data_of(MshContent content) {
+  sort_by_tag(content.lines);
+  sort_by_tag(content.triangles);
+  drop_repeated_lines(content.lines);
+  MeshData data;
+  Mesh& mesh = data.mesh;
+  mesh.labels = labels_of(content.lines.groups, 1, content, mesh.label_names);
+  mesh.regions = labels_of(content.triangles.groups, 2, content, mesh.region_names);
+  mesh.edges = std::move(content.lines.nodes);
+  mesh.triangles = std::move(content.triangles.nodes);
+  if (mesh.edges.empty() && mesh.triangles.empty()) throw InputError("has neither lines nor triangles");
+  const std::vector<int> used = take_used_nodes(content, mesh);
+  turn_clockwise_triangles(mesh);
+  if (!mesh.triangles.empty()) cover_boundary(mesh);
+  std::vector<std::int64_t> node_tags;
+  for (const int node : used) node_tags.push_back(content.node_tags.tag(node));
+  data.fields.points = plane_fields(content.node_fields, node_tags, "node");
+  data.fields.cells = plane_fields(content.element_fields, content.triangles.tags, "triangle");
+  return data;
+}
+
+}  // namespace parmesan

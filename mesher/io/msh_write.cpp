@@ -1,0 +1,264 @@
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesher/io/byte_writer.h"
+#include "mesher/io/msh.h"
+#include "mesher/io/output_file.h"
+#include "mesher/io/picture/view.h"
+
+namespace parmesan {
+namespace {
+
+/// The entity, and physical group, of one label or region.
+struct Group {
+  int number = 0;            // Gmsh's, from 1
+  std::string name;          // empty: none
+  std::vector<int> members;  // edges or triangles
+};
+
+/// Double quotes would end the name; line ends are for the reader's comfort.
+std::string quoted(std::string name) {
+  for (char& c : name) {
+    if (c == '"') c = '\'';
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return '"' + name + '"';
+}
+
+/// The groups of these labels, ascending; those below 1 get the next free numbers.
+std::vector<Group> groups_of(const std::vector<int>& labels, const LabelNames& names) {
+  std::map<int, Group> by_label;
+  for (std::size_t i = 0; i < labels.size(); ++i) by_label[labels[i]].members.push_back(static_cast<int>(i));
+  int next_free = 1;
+  const auto take_free = [&by_label, &next_free] {
+    while (by_label.contains(next_free)) ++next_free;
+    return next_free++;
+  };
+  std::vector<Group> groups;
+  for (auto& [label, group] : by_label) {
+    const bool has_name = names.contains(label);
+    group.number = label < 1 ? take_free() : label;
+    if (has_name || label < 1) group.name = label_name(names, label);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Writes numbers as text with blanks, or as bytes.
+class Numbers {
+ public:
+  Numbers(OutputFile& out, Encoding encoding) : out_(out), bytes_(out), is_text_(encoding == Encoding::Text) {}
+
+  void integer(int value) {
+    if (is_text_) {
+      out_ << value << ' ';
+    } else {
+      bytes_.write(std::int32_t{value});
+    }
+  }
+
+  void size(std::size_t value) {
+    if (is_text_) {
+      out_ << value << ' ';
+    } else {
+      bytes_.write(static_cast<std::uint64_t>(value));
+    }
+  }
+
+  void real(double value) {
+    if (is_text_) {
+      out_ << value << ' ';
+    } else {
+      bytes_.write_finite(value);
+    }
+  }
+
+  /// Ends a row, which only text has.
+  void end_row() {
+    if (is_text_) out_ << '\n';
+  }
+
+  /// To be called after the last number of a section.
+  void finish() {
+    bytes_.flush();
+    if (!is_text_) out_ << '\n';
+  }
+
+ private:
+  OutputFile& out_;
+  ByteWriter bytes_;
+  bool is_text_;
+};
+
+class MshWriter {
+ public:
+  MshWriter(const std::string& path, const Mesh& mesh, Encoding encoding)
+      : out_(path),
+        numbers_(out_, encoding),
+        mesh_(mesh),
+        encoding_(encoding),
+        lines_(groups_of(mesh.labels, mesh.label_names)),
+        surfaces_(groups_of(mesh.regions, mesh.region_names)) {}
+
+  void write(const MeshFields& fields) {
+    write_format();
+    write_names();
+    write_entities();
+    write_nodes();
+    write_elements();
+    for (const MeshField& field : fields.points) write_field("NodeData", field, 1);
+    for (const MeshField& field : fields.cells) write_field("ElementData", field, mesh_.edges.size() + 1);
+    out_.commit();
+  }
+
+ private:
+  void write_format() {
+    out_ << "$MeshFormat\n4.1 " << (encoding_ == Encoding::Text ? 0 : 1) << " 8\n";
+    if (encoding_ == Encoding::Binary) {
+      numbers_.integer(1);
+      numbers_.finish();
+    }
+    out_ << "$EndMeshFormat\n";
+  }
+
+  void write_names() {
+    const auto has_name = [](const Group& group) { return !group.name.empty(); };
+    const auto count = std::count_if(lines_.begin(), lines_.end(), has_name) +
+                       std::count_if(surfaces_.begin(), surfaces_.end(), has_name);
+    if (count == 0) return;
+    out_ << "$PhysicalNames\n" << static_cast<std::size_t>(count) << '\n';
+    for (const Group& group : lines_) write_name(1, group);
+    for (const Group& group : surfaces_) write_name(2, group);
+    out_ << "$EndPhysicalNames\n";
+  }
+
+  void write_name(int dimension, const Group& group) {
+    if (!group.name.empty()) out_ << dimension << ' ' << group.number << ' ' << quoted(group.name) << '\n';
+  }
+
+  void write_entities() {
+    out_ << "$Entities\n";
+    numbers_.size(0);
+    numbers_.size(lines_.size());
+    numbers_.size(surfaces_.size());
+    numbers_.size(0);
+    numbers_.end_row();
+    for (const Group& group : lines_) write_entity(group);
+    for (const Group& group : surfaces_) write_entity(group);
+    numbers_.finish();
+    out_ << "$EndEntities\n";
+  }
+
+  /// With the bounds of the whole mesh, and nothing around it: Gmsh works them out.
+  void write_entity(const Group& group) {
+    const Bounds bounds = bounds_of(mesh_);
+    numbers_.integer(group.number);
+    for (const Point& p : {bounds.low, bounds.high}) {
+      numbers_.real(p.x);
+      numbers_.real(p.y);
+      numbers_.real(0.0);
+    }
+    numbers_.size(1);
+    numbers_.integer(group.number);
+    numbers_.size(0);
+    numbers_.end_row();
+  }
+
+  void write_counts(std::size_t blocks, std::size_t entities) {
+    numbers_.size(blocks);
+    numbers_.size(entities);
+    numbers_.size(entities == 0 ? 0 : 1);
+    numbers_.size(entities);
+    numbers_.end_row();
+  }
+
+  /// All nodes belong to one surface, or line.
+  void write_nodes() {
+    out_ << "$Nodes\n";
+    const std::size_t n = mesh_.points.size();
+    write_counts(n == 0 ? 0 : 1, n);
+    if (n > 0) write_block_of_nodes();
+    numbers_.finish();
+    out_ << "$EndNodes\n";
+  }
+
+  void write_block_of_nodes() {
+    const std::vector<Group>& owners = surfaces_.empty() ? lines_ : surfaces_;
+    numbers_.integer(surfaces_.empty() ? 1 : 2);
+    numbers_.integer(owners.empty() ? 1 : owners.front().number);
+    numbers_.integer(0);
+    numbers_.size(mesh_.points.size());
+    numbers_.end_row();
+    for (std::size_t i = 0; i < mesh_.points.size(); ++i) {
+      numbers_.size(i + 1);
+      numbers_.end_row();
+    }
+    for (const Point& p : mesh_.points) {
+      numbers_.real(p.x);
+      numbers_.real(p.y);
+      numbers_.real(0.0);
+      numbers_.end_row();
+    }
+  }
+
+  void write_elements() {
+    out_ << "$Elements\n";
+    write_counts(lines_.size() + surfaces_.size(), mesh_.edges.size() + mesh_.triangles.size());
+    for (const Group& group : lines_) write_block(1, 1, group, mesh_.edges, 1);
+    for (const Group& group : surfaces_) write_block(2, 2, group, mesh_.triangles, mesh_.edges.size() + 1);
+    numbers_.finish();
+    out_ << "$EndElements\n";
+  }
+
+  template <std::size_t N>
+  void write_block(int dimension, int type, const Group& group, const std::vector<std::array<int, N>>& elements,
+                   std::size_t first_tag) {
+    numbers_.integer(dimension);
+    numbers_.integer(group.number);
+    numbers_.integer(type);
+    numbers_.size(group.members.size());
+    numbers_.end_row();
+    for (const int i : group.members) {
+      numbers_.size(first_tag + static_cast<std::size_t>(i));
+      for (const int vertex : elements[static_cast<std::size_t>(i)])
+        numbers_.size(static_cast<std::size_t>(vertex) + 1);
+      numbers_.end_row();
+    }
+  }
+
+  void write_field(const char* section, const MeshField& field, std::size_t first_tag) {
+    const std::vector<double> values = values_in_space(field);
+    const auto components = static_cast<std::size_t>(components_in_space(field));
+    const std::size_t count = values.size() / components;
+    out_ << '$' << section << "\n1\n" << quoted(field.name) << "\n1\n0\n3\n0\n" << components << '\n' << count << '\n';
+    for (std::size_t i = 0; i < count; ++i) {
+      numbers_.integer(static_cast<int>(first_tag + i));
+      for (std::size_t k = 0; k < components; ++k) numbers_.real(values[components * i + k]);
+      numbers_.end_row();
+    }
+    numbers_.finish();
+    out_ << "$End" << section << '\n';
+  }
+
+  OutputFile out_;
+  Numbers numbers_;
+  const Mesh& mesh_;
+  Encoding encoding_;
+  std::vector<Group> lines_;
+  std::vector<Group> surfaces_;
+};
+
+}  // namespace
+
+void write_msh(const std::string& path, const Mesh& mesh, const MeshFields& fields, Encoding encoding) {
+  assert(mesh.labels.size() == mesh.edges.size() && mesh.regions.size() == mesh.triangles.size());
+  check_fields(fields, mesh);
+  MshWriter(path, mesh, encoding).write(fields);
+}
+
+}  // namespace parmesan
