@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "mesher/io/geometry_file.h"
+#include "adapt/io/any_geometry.h"
 
 namespace parmesan {
 namespace {
@@ -44,7 +44,7 @@ std::optional<Domain> read_named_geometry(CaseReading& reading, const std::strin
     reading.issues.add(pointer, "cannot read '" + name.substr(0, 200) + "': " + problem);
     return std::nullopt;
   }
-  return read_geometry((folder / written).string());
+  return read_any_geometry((folder / written).string());
 }
 
 }  // namespace parmesan

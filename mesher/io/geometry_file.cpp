@@ -1,9 +1,12 @@
 #include "mesher/io/geometry_file.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "mesher/errors.h"
-#include "mesher/io/medit.h"
+#include "mesher/io/airfoil_file.h"
+#include "mesher/io/mesh_file.h"
 #include "mesher/io/text.h"
 #include "mesher/io/triangle_files.h"
 
@@ -18,20 +21,33 @@ Domain domain_of_edges(Mesh mesh) {
     domain.segments.push_back({mesh.edges[i][0], mesh.edges[i][1], mesh.labels[i]});
   }
   domain.points = std::move(mesh.points);
+  domain.label_names = std::move(mesh.label_names);
   return domain;
 }
 
 }  // namespace
 
+bool is_domain_file_name(const std::string& path) {
+  const std::string suffix = file_suffix(path);
+  return suffix == ".poly" || suffix == ".dat";
+}
+
+bool is_geometry_file_name(const std::string& path) {
+  constexpr std::array mesh_suffixes{".mesh", ".meshb", ".msh", ".node", ".ele"};
+  return is_domain_file_name(path) ||
+         std::find(mesh_suffixes.begin(), mesh_suffixes.end(), file_suffix(path)) != mesh_suffixes.end();
+}
+
 Domain read_geometry(const std::string& path) {
+  if (!is_geometry_file_name(path)) {
+    throw FileError(path, 0, "no geometry is read from this suffix; known are .poly .dat .mesh .meshb .msh .node .ele");
+  }
   const std::string suffix = file_suffix(path);
   if (suffix == ".poly") return read_poly(path);
-  if (suffix == ".mesh") {
-    Mesh mesh = read_medit(path);
-    return mesh.triangles.empty() ? domain_of_edges(std::move(mesh)) : domain_of(mesh);
-  }
-  if (suffix == ".node" || suffix == ".ele") return domain_of(read_triangle_mesh(path));
-  throw FileError(path, 0, "no geometry is read from this suffix; known are .poly .mesh .node .ele");
+  if (suffix == ".dat") return read_airfoil(path);
+  return geometry_of(read_mesh_file(path));
 }
+
+Domain geometry_of(Mesh mesh) { return mesh.triangles.empty() ? domain_of_edges(std::move(mesh)) : domain_of(mesh); }
 
 }  // namespace parmesan

@@ -1,7 +1,14 @@
 #include "mesher/io/mesh_file.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
 #include "mesher/errors.h"
+#include "mesher/io/boundary_edges.h"
 #include "mesher/io/medit.h"
+#include "mesher/io/medit_fields.h"
 #include "mesher/io/svg.h"
 #include "mesher/io/text.h"
 #include "mesher/io/triangle_files.h"
@@ -10,45 +17,117 @@
 namespace parmesan {
 namespace {
 
-enum class Format { Unknown, Medit, Vtu, Svg, Triangle };
+enum class Format { Unknown, Medit, BinaryMedit, Gmsh, Triangle, Poly, Vtu, Svg };
 
 Format format_of(const std::string& path) {
   const std::string suffix = file_suffix(path);
   if (suffix == ".mesh") return Format::Medit;
+  if (suffix == ".meshb") return Format::BinaryMedit;
+  if (suffix == ".msh") return Format::Gmsh;
+  if (suffix == ".node" || suffix == ".ele") return Format::Triangle;
+  if (suffix == ".poly") return Format::Poly;
   if (suffix == ".vtu") return Format::Vtu;
   if (suffix == ".svg") return Format::Svg;
-  if (suffix == ".node" || suffix == ".ele") return Format::Triangle;
   return Format::Unknown;
+}
+
+void write_medit_data(const std::string& path, const Mesh& mesh, const MeshFields& fields, bool is_binary) {
+  if (is_binary) {
+    write_meshb(path, mesh);
+  } else {
+    write_medit(path, mesh);
+  }
+  if (!fields.empty()) write_medit_fields(with_suffix(path, is_binary ? ".solb" : ".sol"), fields);
+}
+
+/// What a picture shows: the mesh, coloured by its first scalar field.
+SvgOptions picture_options(const MeshFields& fields) {
+  SvgOptions options;
+  const auto field = std::find_if(fields.points.begin(), fields.points.end(),
+                                  [](const MeshField& candidate) { return candidate.components == 1; });
+  if (field == fields.points.end()) return options;
+  options.values = field->values;
+  options.values_name = field->name;
+  return options;
+}
+
+/// The fields in the file of this suffix beside the mesh; none where there is no such file.
+MeshFields fields_beside(const std::string& path, const char* suffix, const Mesh& mesh) {
+  const std::string fields_path = with_suffix(path, suffix);
+  std::error_code ignored;
+  if (!std::filesystem::exists(fields_path, ignored)) return {};
+  MeshFields fields = read_medit_fields(fields_path);
+  try {
+    check_fields(fields, mesh);
+  } catch (const InputError& error) {
+    throw FileError(fields_path, 0, error.what());
+  }
+  return fields;
+}
+
+MeshFields medit_fields_beside(const std::string& path, const Mesh& mesh) {
+  const bool is_binary = format_of(path) == Format::BinaryMedit;
+  MeshFields fields = fields_beside(path, is_binary ? ".solb" : ".sol", mesh);
+  return fields.empty() ? fields_beside(path, is_binary ? ".sol" : ".solb", mesh) : fields;
 }
 
 }  // namespace
 
 void check_mesh_file_name(const std::string& path) {
   if (format_of(path) != Format::Unknown) return;
-  throw FileError(path, 0, "no mesh is written to this suffix; known are .mesh .vtu .svg .node .ele");
+  throw FileError(path, 0, "no mesh is written to this suffix; known are .mesh .meshb .msh .vtu .svg .node .ele .poly");
 }
 
-void write_mesh_file(const std::string& path, const Mesh& mesh) {
+void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields& fields, Encoding encoding) {
   check_mesh_file_name(path);
+  check_fields(fields, mesh);
   switch (format_of(path)) {
     case Format::Medit:
-      return write_medit(path, mesh);
-    case Format::Vtu:
-      return write_vtu(path, mesh);
-    case Format::Svg:
-      return write_svg(path, mesh);
+      return write_medit_data(path, mesh, fields, false);
+    case Format::BinaryMedit:
+      return write_medit_data(path, mesh, fields, true);
+    case Format::Gmsh:
+      return write_msh(path, mesh, fields, encoding);
     case Format::Triangle:
       return write_triangle_mesh(path, mesh);
+    case Format::Poly:
+      return write_poly(path, domain_of(mesh));
+    case Format::Vtu:
+      return write_vtu(path, mesh, fields);
+    case Format::Svg:
+      return write_svg(path, mesh, picture_options(fields));
     case Format::Unknown:
       break;
   }
 }
 
 Mesh read_mesh_file(const std::string& path) {
-  const Format format = format_of(path);
-  if (format == Format::Medit) return read_medit(path);
-  if (format == Format::Triangle) return read_triangle_mesh(path);
-  throw FileError(path, 0, "no mesh is read from this suffix; known are .mesh .node .ele");
+  switch (format_of(path)) {
+    case Format::Medit:
+      return read_medit(path);
+    case Format::BinaryMedit:
+      return read_meshb(path);
+    case Format::Gmsh:
+      return read_msh(path).mesh;
+    case Format::Triangle:
+      return read_triangle_mesh(path);
+    default:
+      throw FileError(path, 0, "no mesh is read from this suffix; known are .mesh .meshb .msh .node .ele");
+  }
+}
+
+MeshData read_mesh_data(const std::string& path) {
+  if (format_of(path) == Format::Gmsh) return read_msh(path);
+  MeshData data{read_mesh_file(path), {}};
+  if (format_of(path) != Format::Triangle) data.fields = medit_fields_beside(path, data.mesh);
+  return data;
+}
+
+Mesh read_valid_mesh(const std::string& path) {
+  Mesh mesh = read_mesh_file(path);
+  cover_boundary(mesh);
+  validate(mesh);
+  return mesh;
 }
 
 }  // namespace parmesan

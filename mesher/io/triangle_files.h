@@ -30,6 +30,11 @@ void write_poly(const std::string& path, const Domain& domain);
 /// Errors: FileError with the line.
 Mesh read_triangle_mesh(const std::string& path);
 
+/// The same from the three texts; an empty edge_text stands for no .edge file. stem: the path without suffix, for
+/// messages.
+Mesh parse_triangle_mesh(std::string_view node_text, std::string_view ele_text, std::string_view edge_text,
+                         const std::string& stem);
+
 /// Writes the three files, numbered from 1, so that they read back bit by bit, except for interior
 /// edges with label 0, which Triangle takes for unmarked ones. Errors: FileError.
 void write_triangle_mesh(const std::string& path, const Mesh& mesh);

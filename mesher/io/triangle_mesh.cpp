@@ -93,25 +93,31 @@ void write_edge(const std::string& path, const Mesh& mesh) {
 
 }  // namespace
 
-Mesh read_triangle_mesh(const std::string& path) {
-  const std::string node_path = with_suffix(path, ".node");
-  const std::string node_text = read_file(node_path);
+Mesh parse_triangle_mesh(std::string_view node_text, std::string_view ele_text, std::string_view edge_text,
+                         const std::string& stem) {
+  const std::string node_path = stem + ".node";
   TextReader node_in(node_text, node_path);
   TriangleNodes nodes = read_triangle_nodes(node_in);
   Mesh mesh;
-  const std::string ele_path = with_suffix(path, ".ele");
-  const std::string ele_text = read_file(ele_path);
+  const std::string ele_path = stem + ".ele";
   TextReader ele_in(ele_text, ele_path);
   read_ele(ele_in, nodes, mesh);
-  const std::string edge_path = with_suffix(path, ".edge");
-  std::error_code ignored;
-  if (std::filesystem::exists(edge_path, ignored)) {
-    const std::string edge_text = read_file(edge_path);
+  if (!edge_text.empty()) {
+    const std::string edge_path = stem + ".edge";
     TextReader edge_in(edge_text, edge_path);
     read_edge(edge_in, nodes, mesh);
   }
   mesh.points = std::move(nodes.points);
   return mesh;
+}
+
+Mesh read_triangle_mesh(const std::string& path) {
+  const std::string edge_path = with_suffix(path, ".edge");
+  std::error_code ignored;
+  const bool has_edges = std::filesystem::exists(edge_path, ignored);
+  const std::string edge_text = has_edges ? read_file(edge_path) : "";
+  return parse_triangle_mesh(read_file(with_suffix(path, ".node")), read_file(with_suffix(path, ".ele")), edge_text,
+                             with_suffix(path, ""));
 }
 
 void write_triangle_mesh(const std::string& path, const Mesh& mesh) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -22,7 +23,7 @@ int open_for_output(const std::string& path) { return open(path.c_str(), O_WRONL
 [[noreturn]] void become_program(std::vector<char*>& arguments, const std::string& folder, int out, int err) {
   const int nothing = open("/dev/null", O_RDONLY);
   if (chdir(folder.c_str()) == 0 && dup2(nothing, 0) == 0 && dup2(out, 1) == 1 && dup2(err, 2) == 2) {
-    execv(arguments.front(), arguments.data());
+    execvp(arguments.front(), arguments.data());
   }
   _exit(126);
 }
@@ -33,12 +34,10 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-}  // namespace
-
-ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& folder,
-                          const Interruption& interruption) {
+ProgramResult run(const std::string& program, const std::vector<std::string>& arguments, const std::string& folder,
+                  const Interruption& interruption) {
   const TemporaryFolder logs;
-  std::vector<std::string> words{PARMESAN_PROGRAM};
+  std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -56,6 +55,24 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
   }
   const int code = wait_for(child);
   return {code, read_file(logs / "out"), read_file(logs / "err")};
+}
+
+}  // namespace
+
+ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& folder,
+                          const Interruption& interruption) {
+  return run(PARMESAN_PROGRAM, arguments, folder, interruption);
+}
+
+ProgramResult run_other(const std::string& program, const std::vector<std::string>& arguments,
+                        const std::string& folder) {
+  return run(program, arguments, folder, {});
+}
+
+bool is_installed(const std::string& program) {
+  if (run_other("which", {program}).exit_code == 0) return true;
+  std::cout << "skipped: there is no " << program << "\n";
+  return false;
 }
 
 TemporaryFolder::TemporaryFolder() {

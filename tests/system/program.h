@@ -22,6 +22,13 @@ struct Interruption {
 ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& folder = ".",
                           const Interruption& interruption = {});
 
+/// Runs another program, found along PATH, as run_program does.
+ProgramResult run_other(const std::string& program, const std::vector<std::string>& arguments,
+                        const std::string& folder = ".");
+
+/// Whether a program is installed; prints why a test is skipped when it is not.
+bool is_installed(const std::string& program);
+
 /// A folder for one test, removed with all its content at the end.
 class TemporaryFolder {
  public:

@@ -18,6 +18,7 @@ Command add_run_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_mesh_command(CLI::App& program);
 Command add_quality_command(CLI::App& program);
+Command add_convert_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
 Command add_schema_command(CLI::App& program);
 

@@ -61,7 +61,8 @@ parmesan::ExitCode run_program(int argc, char** argv) {
   const std::vector<parmesan::Command> commands{
       parmesan::add_run_command(program),   parmesan::add_compare_command(program),
       parmesan::add_mesh_command(program),  parmesan::add_quality_command(program),
-      parmesan::add_check_command(program), parmesan::add_schema_command(program)};
+      parmesan::add_check_command(program), parmesan::add_convert_command(program),
+      parmesan::add_schema_command(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

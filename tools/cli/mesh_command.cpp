@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "adapt/io/any_geometry.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
-#include "mesher/io/geometry_file.h"
-#include "mesher/io/medit.h"
+#include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/tensor_interpolant.h"
@@ -58,15 +58,9 @@ struct Inputs {
 
 void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs& inputs) {
   const int n = background.num_vertices();
-  inputs.field = std::make_unique<BackgroundMesh>(background, read_medit_metric(arguments.metric, n));
+  inputs.field = std::make_unique<BackgroundMesh>(background, read_metric_file(arguments.metric, n));
   if (!arguments.hessian.empty())
-    inputs.hessian = std::make_unique<TensorInterpolant>(background, read_medit_tensor(arguments.hessian, n));
-}
-
-Mesh read_valid_mesh(const std::string& path) {
-  Mesh mesh = read_mesh_file(path);
-  validate(mesh);
-  return mesh;
+    inputs.hessian = std::make_unique<TensorInterpolant>(background, read_tensor_file(arguments.hessian, n));
 }
 
 // The background mesh is often the previous one: then it is read only once.
@@ -97,7 +91,7 @@ void print_warnings(const std::vector<std::string>& warnings) {
 }
 
 Domain read_repaired(const std::string& path) {
-  CleanDomain cleaned = clean(read_geometry(path), Crossings::Split);
+  CleanDomain cleaned = clean(read_any_geometry(path), Crossings::Split);
   print_warnings(cleaned.repairs);
   return std::move(cleaned.domain);
 }
@@ -118,7 +112,7 @@ bool meets(const Mesh& mesh, const MeshQuality& quality, const Requirements& req
 ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
   for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
-  const Domain domain = arguments.repair ? read_repaired(arguments.geometry) : read_geometry(arguments.geometry);
+  const Domain domain = arguments.repair ? read_repaired(arguments.geometry) : read_any_geometry(arguments.geometry);
   const Inputs inputs = read_inputs(arguments);
   const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs),
                                          inputs.previous ? &*inputs.previous : nullptr);
@@ -176,7 +170,8 @@ void add_mesher_options(CLI::App& app, MeshArguments& arguments) {
 Command add_mesh_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("mesh", "One mesh of a geometry: uniform, graded or anisotropic");
   const auto arguments = std::make_shared<MeshArguments>();
-  app->add_option("GEOMETRY", arguments->geometry, "What is to be meshed: .poly (Triangle) or .mesh (Medit)")
+  app->add_option("GEOMETRY", arguments->geometry,
+                  "What is to be meshed: .poly .geojson .dat (airfoil) .mesh .meshb .msh .node .ele")
       ->required()
       ->option_text(" ");
   app->add_flag("--repair", arguments->repair, "Split segments where they cross instead of refusing the geometry");

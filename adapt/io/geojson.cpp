@@ -1,0 +1,146 @@
+#include "adapt/io/geojson.h"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "adapt/io/geojson_features.h"
+#include "mesher/delaunay_mesh.h"
+#include "mesher/io/text.h"
+#include "mesher/mesh_sides.h"
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void append_ring(const GeoRing& ring, int label, Domain& domain) {
+  const int first = static_cast<int>(domain.points.size());
+  const int n = static_cast<int>(ring.size());
+  domain.points.insert(domain.points.end(), ring.begin(), ring.end());
+  for (int i = 0; n > 1 && i < n; ++i) domain.segments.push_back({first + i, first + (i + 1) % n, label});
+}
+
+/// Sides "boundary" and "hole1", ...
+Domain domain_of_feature(const GeoFeature& feature) {
+  Domain domain;
+  domain.inside = Inside::EvenOdd;
+  domain.label_names[1] = "boundary";
+  int last_label = 1;
+  for (const GeoPolygon& polygon : feature.polygons) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      if (i > 0) {
+        domain.label_names[last_label + 1] = "hole" + std::to_string(last_label);
+        ++last_label;
+      }
+      append_ring(polygon[i], i == 0 ? 1 : last_label, domain);
+    }
+  }
+  return domain;
+}
+
+/// Whether an odd number of the feature's rings lie around a point that is on none of them.
+bool encloses(const GeoFeature& feature, const Point& p) {
+  bool is_inside = false;
+  for (const GeoPolygon& polygon : feature.polygons) {
+    for (const GeoRing& ring : polygon) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point& a = ring[i];
+        const Point& b = ring[(i + 1) % ring.size()];
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        const double area = doubled_area(a, b, p);
+        if ((area > 0.0) == (b.y > a.y)) is_inside = !is_inside;
+      }
+    }
+  }
+  return is_inside;
+}
+
+/// The region of a point: 1 for the first feature, 0 outside of all.
+int region_at(const std::vector<GeoFeature>& features, const Point& p) {
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (encloses(features[i], p)) return static_cast<int>(i) + 1;
+  }
+  return 0;
+}
+
+/// The first triangle of the part, bounded by edges, to which each triangle belongs.
+std::vector<int> parts_of(const Mesh& mesh) {
+  std::vector<int> parent(mesh.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int t) {
+    while (parent[at(t)] != t) t = parent[at(t)] = parent[at(parent[at(t)])];
+    return t;
+  };
+  for (const MeshSide& side : sides_of(mesh)) {
+    if (side.edge >= 0 || side.is_boundary()) continue;
+    const int a = root(side.left);
+    const int b = root(side.right);
+    parent[at(std::max(a, b))] = std::min(a, b);
+  }
+  for (int t = 0; t < mesh.num_triangles(); ++t) parent[at(t)] = root(t);
+  return parent;
+}
+
+double area_of(const Mesh& mesh, int triangle) {
+  const auto& [a, b, c] = mesh.triangles[at(triangle)];
+  return doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
+}
+
+Point centroid_of(const Mesh& mesh, int triangle) {
+  const auto& [a, b, c] = mesh.triangles[at(triangle)];
+  return (1.0 / 3.0) * (mesh.points[at(a)] + mesh.points[at(b)] + mesh.points[at(c)]);
+}
+
+/// Gives each part the region in which its largest triangle lies.
+void find_regions(const std::vector<GeoFeature>& features, Mesh& mesh) {
+  const std::vector<int> part = parts_of(mesh);
+  std::vector<int> largest(part);
+  for (int t = 0; t < mesh.num_triangles(); ++t) {
+    int& champion = largest[at(part[at(t)])];
+    if (area_of(mesh, t) > area_of(mesh, champion)) champion = t;
+  }
+  for (int t = 0; t < mesh.num_triangles(); ++t) {
+    if (part[at(t)] == t) mesh.regions[at(t)] = region_at(features, centroid_of(mesh, largest[at(t)]));
+    mesh.regions[at(t)] = mesh.regions[at(part[at(t)])];
+  }
+}
+
+void drop_outside(Mesh& mesh) {
+  Mesh kept;
+  for (int t = 0; t < mesh.num_triangles(); ++t) {
+    if (mesh.regions[at(t)] == 0) continue;
+    kept.triangles.push_back(mesh.triangles[at(t)]);
+    kept.regions.push_back(mesh.regions[at(t)]);
+  }
+  mesh.triangles = std::move(kept.triangles);
+  mesh.regions = std::move(kept.regions);
+}
+
+/// All the rings enclose is triangulated; its parts then are in a feature or in none.
+Domain domain_of_features(const std::vector<GeoFeature>& features) {
+  Domain all;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const int number = static_cast<int>(i) + 1;
+    all.label_names[number] = features[i].name.empty() ? "feature" + std::to_string(number) : features[i].name;
+    for (const GeoPolygon& polygon : features[i].polygons) {
+      for (const GeoRing& ring : polygon) append_ring(ring, number, all);
+    }
+  }
+  all.region_names = all.label_names;
+  Mesh mesh = delaunay_mesh(all).mesh;
+  find_regions(features, mesh);
+  drop_outside(mesh);
+  return domain_of(mesh);
+}
+
+}  // namespace
+
+Domain parse_geojson(const std::string& text, const std::string& name) {
+  const std::vector<GeoFeature> features = parse_geojson_features(text, name);
+  return features.size() == 1 ? domain_of_feature(features.front()) : domain_of_features(features);
+}
+
+Domain read_geojson(const std::string& path) { return parse_geojson(read_file(path, kMaxGeoJsonBytes), path); }
+
+}  // namespace parmesan

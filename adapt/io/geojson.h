@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "mesher/geometry/domain.h"
+
+namespace parmesan {
+
+/// The largest GeoJSON text that is read, and its deepest nesting.
+inline constexpr std::size_t kMaxGeoJsonBytes = std::size_t{256} << 20;
+inline constexpr int kMaxGeoJsonDepth = 64;
+
+/// Reads the polygons of a GeoJSON text (RFC 7946): Polygon, MultiPolygon, GeometryCollection, Feature or
+/// FeatureCollection. Longitude and latitude are taken as x and y; further coordinates are skipped.
+///
+/// The inside of a feature is what an odd number of its rings enclose, whatever their direction. One feature is a
+/// domain with the sides "boundary" and "hole1", "hole2", ... Several are the regions of one domain, by their
+/// properties' name or "feature1", ..., where they overlap the first one's, with sides of the same names.
+/// Errors: FileError with the line and the JSON pointer, also for geometries that are not polygons; GeometryError for
+/// several features whose rings cross.
+Domain read_geojson(const std::string& path);
+Domain parse_geojson(const std::string& text, const std::string& name);
+
+}  // namespace parmesan

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesher/geometry/point.h"
+
+namespace parmesan {
+
+/// A closed chain of points, the first one not repeated.
+using GeoRing = std::vector<Point>;
+
+/// The rings of one polygon, its outline first.
+using GeoPolygon = std::vector<GeoRing>;
+
+/// The polygons of one feature and its name, empty when it has none.
+struct GeoFeature {
+  std::string name;
+  std::vector<GeoPolygon> polygons;
+};
+
+/// All features with polygons in a GeoJSON text. Errors: as parse_geojson.
+std::vector<GeoFeature> parse_geojson_features(const std::string& text, const std::string& name);
+
+}  // namespace parmesan

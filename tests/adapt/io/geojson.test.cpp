@@ -1,0 +1,107 @@
+#include "adapt/io/geojson.h"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "mesher/delaunay_mesh.h"
+#include "mesher/errors.h"
+
+using parmesan::delaunay_mesh;
+using parmesan::Domain;
+using parmesan::FileError;
+using parmesan::Mesh;
+using parmesan::parse_geojson;
+
+namespace {
+
+const std::string square = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
+
+std::string polygon(const std::string& rings) { return R"({"type":"Polygon","coordinates":[)" + rings + "]}"; }
+
+std::string feature(const std::string& name, const std::string& geometry) {
+  return R"({"type":"Feature","properties":{"name":")" + name + R"("},"geometry":)" + geometry + "}";
+}
+
+std::string collection(const std::string& features) {
+  return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+}
+
+Domain parse(const std::string& text) { return parse_geojson(text, "t.geojson"); }
+
+/// The area of a region, of all for -1.
+double area(const Mesh& mesh, int region = -1) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (region >= 0 && mesh.regions[t] != region) continue;
+    const auto point = [&mesh, t](std::size_t k) {
+      return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])];
+    };
+    sum += 0.5 * parmesan::doubled_area(point(0), point(1), point(2));
+  }
+  return sum;
+}
+
+double area_of(const std::string& text) { return area(delaunay_mesh(parse(text)).mesh); }
+
+}  // namespace
+
+TEST_CASE("A GeoJSON polygon is a domain with its holes, whatever the direction of rings", "[adapt][io][geojson]") {
+  const std::string hole = GENERATE("[[1,1],[1,2],[2,2],[2,1],[1,1]]", "[[1,1],[2,1],[2,2],[1,2],[1,1]]",
+                                    "[[1,1,9],[2,1,9],[2,2,9],[1,2,9]]");
+  const Domain domain = parse(polygon(square + "," + hole));
+  CHECK(domain.label_names == parmesan::LabelNames{{1, "boundary"}, {2, "hole1"}});
+  CHECK(area(delaunay_mesh(domain).mesh) == Approx(15.0).epsilon(1e-14));
+}
+
+TEST_CASE("A multi-polygon has an island in its lake", "[adapt][io][geojson]") {
+  const std::string lake = "[[1,1],[3,1],[3,3],[1,3],[1,1]]";
+  const std::string island = "[[1.5,1.5],[2.5,1.5],[2.5,2.5],[1.5,2.5],[1.5,1.5]]";
+  CHECK(area_of(feature("a", R"({"type":"MultiPolygon","coordinates":[[)" + square + "," + lake + "],[" + island +
+                                 "]]}")) == Approx(13.0).epsilon(1e-14));
+}
+
+TEST_CASE("Features that share a border are regions with their names", "[adapt][io][geojson]") {
+  const std::string left = feature("left", polygon("[[0,0],[1,0],[1,2],[0,2],[0,0]]"));
+  const std::string right =
+      feature("right", polygon("[[1,0],[3,0],[3,2],[1,2],[1,0]],[[1.5,0.5],[2,0.5],[2,1],[1.5,1],[1.5,0.5]]"));
+  const std::string far = feature("", polygon("[[5,0],[6,0],[6,1],[5,1],[5,0]]"));
+  const Domain domain = parse(collection(left + "," + right + "," + far));
+  const Mesh mesh = delaunay_mesh(domain).mesh;
+  CHECK_NOTHROW(validate(mesh));
+  CHECK(mesh.region_names == parmesan::LabelNames{{1, "left"}, {2, "right"}, {3, "feature3"}});
+  CHECK(area(mesh, 1) == Approx(2.0).epsilon(1e-14));
+  CHECK(area(mesh, 2) == Approx(3.75).epsilon(1e-14));
+  CHECK(area(mesh, 3) == Approx(1.0).epsilon(1e-14));
+}
+
+TEST_CASE("Where features overlap the first one counts", "[adapt][io][geojson]") {
+  const std::string inner = feature("inner", polygon("[[1,1],[2,1],[2,2],[1,2],[1,1]]"));
+  const Mesh mesh = delaunay_mesh(parse(collection(inner + "," + feature("outer", polygon(square))))).mesh;
+  CHECK(area(mesh, 1) == Approx(1.0).epsilon(1e-14));
+  CHECK(area(mesh, 2) == Approx(15.0).epsilon(1e-14));
+}
+
+TEST_CASE("Faults of a GeoJSON text are refused with line and pointer", "[adapt][io][geojson][errors]") {
+  const auto message_of = [](const std::string& text) -> std::string {
+    try {
+      parse(text);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using Catch::Contains;
+  CHECK_THAT(message_of("{\n\"type\": }"), Contains("t.geojson:2"));
+  CHECK_THAT(message_of(""), Contains("is not JSON"));
+  CHECK_THAT(message_of("[]"), Contains("must be an object"));
+  CHECK_THAT(message_of("{}"), Contains("has no \"type\""));
+  CHECK_THAT(message_of(R"({"type":"Point","coordinates":[0,0]})"), Contains("/type must be Polygon"));
+  CHECK_THAT(message_of(collection("\n" + feature("a", "{\"type\":\"Polygon\",\n\"coordinates\":[[[0,0],\n[1]]]}"))),
+             Contains("t.geojson:4: /features/0/geometry/coordinates/0/1 must be two numbers"));
+  CHECK_THAT(message_of(collection("")), Contains("has no polygons"));
+  CHECK_THAT(message_of(polygon("[[0,0],[1e999,0],[0,1]]")), Contains("double precision"));
+  CHECK_THAT(message_of(std::string(100000, '[')), Contains("too deep"));
+  CHECK_THROWS_AS(
+      parse(collection(feature("a", polygon(square)) + "," + feature("b", polygon("[[2,2],[6,2],[6,6],[2,6],[2,2]]")))),
+      parmesan::GeometryError);
+}

@@ -1,0 +1,29 @@
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "mesher/errors.h"
+#include "mesher/io/triangle_files.h"
+
+/// Any bytes, cut in three at the first two NULs, are a .node, an .ele and an .edge file, or a FileError.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::string_view rest(reinterpret_cast<const char*>(data), size);
+  const auto next = [&rest] {
+    const std::string_view part = rest.substr(0, rest.find('\0'));
+    rest.remove_prefix(part.size() == rest.size() ? part.size() : part.size() + 1);
+    return part;
+  };
+  const std::string_view node = next();
+  const std::string_view ele = next();
+  try {
+    const parmesan::Mesh mesh = parmesan::parse_triangle_mesh(node, ele, rest, "fuzz");
+    if (mesh.labels.size() != mesh.edges.size() || mesh.regions.size() != mesh.triangles.size()) __builtin_trap();
+    for (const auto& triangle : mesh.triangles) {
+      for (const int vertex : triangle) {
+        if (vertex < 0 || vertex >= mesh.num_vertices()) __builtin_trap();
+      }
+    }
+  } catch (const parmesan::FileError&) {
+  }
+  return 0;
+}

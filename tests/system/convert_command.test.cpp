@@ -1,0 +1,109 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/system/program.h"
+
+using parmesan::support::ProgramResult;
+using parmesan::support::read_file;
+using parmesan::support::run_program;
+using parmesan::support::TemporaryFolder;
+
+namespace {
+
+/// A unit square of two triangles in regions 3 and 4 and a field at its vertices.
+const std::string square_mesh =
+    "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 0\n0.1 1 0\n"
+    "Edges\n5\n1 2 1\n2 3 2\n3 4 3\n4 1 -7\n1 3 0\nTriangles\n2\n1 2 3 3\n1 3 4 4\nEnd\n";
+const std::string field_sol =
+    "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n4\n2 1 2\n1 2 3 \n4 5 6 \n7 8 9 \n0.1 0 -1 \nEnd\n";
+
+/// A square with a square hole, and a label for each.
+const std::string ring_geojson =
+    R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]],[[1,1],[2,1],[2,2],[1,2],[1,1]]]})";
+
+nlohmann::json quality_of(const std::string& path) {
+  const ProgramResult result = run_program({"quality", path, "--json"});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  return nlohmann::json::parse(result.out);
+}
+
+void convert(const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{"convert"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const ProgramResult result = run_program(words);
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(result.out.empty());
+}
+
+}  // namespace
+
+TEST_CASE("A mesh with its fields goes through every format and comes back the same", "[system][convert]") {
+  const TemporaryFolder folder;
+  folder.write("a.mesh", square_mesh);
+  folder.write("a.sol", field_sol);
+  convert({folder / "a.mesh", folder / "b.msh"});
+  convert({folder / "b.msh", folder / "c.meshb"});
+  convert({folder / "c.meshb", folder / "d.msh", "--binary"});
+  convert({folder / "d.msh", folder / "e.mesh"});
+  CHECK(read_file(folder / "e.mesh") == square_mesh);
+  CHECK(read_file(folder / "e.sol") == field_sol);
+  for (const char* name : {"a.mesh", "b.msh", "c.meshb", "d.msh", "e.mesh"}) {
+    CAPTURE(name);
+    const nlohmann::json quality = quality_of(folder / name);
+    CHECK(quality.at("triangles") == 2);
+    CHECK(quality.at("boundary_edges") == 5);
+  }
+}
+
+TEST_CASE("A solution becomes binary and text again", "[system][convert]") {
+  const TemporaryFolder folder;
+  folder.write("a.sol", field_sol);
+  convert({folder / "a.sol", folder / "b.solb"});
+  convert({folder / "b.solb", folder / "c.sol"});
+  CHECK(read_file(folder / "c.sol") == field_sol);
+  const ProgramResult result = run_program({"convert", folder / "a.sol", folder / "a.vtu"});
+  CHECK(result.exit_code == 7);
+  CHECK_THAT(result.err, Catch::Contains("convert the mesh"));
+}
+
+TEST_CASE("A geometry becomes a mesh without new vertices, and a .poly file", "[system][convert]") {
+  const TemporaryFolder folder;
+  folder.write("ring.geojson", ring_geojson);
+  convert({folder / "ring.geojson", folder / "ring.mesh"});
+  CHECK(quality_of(folder / "ring.mesh").at("vertices") == 8);
+  convert({folder / "ring.geojson", folder / "ring.poly"});
+  convert({folder / "ring.poly", folder / "again.msh"});
+  CHECK(quality_of(folder / "again.msh").at("triangles") == 8);
+  CHECK_THAT(read_file(folder / "ring.poly"), Catch::Contains("\n1\n1 1."));  // one hole, its seed inside
+}
+
+TEST_CASE("A mesh is written to every format that there is", "[system][convert]") {
+  const TemporaryFolder folder;
+  folder.write("a.mesh", square_mesh);
+  for (const char* name : {"o.mesh", "o.meshb", "o.msh", "o.vtu", "o.svg", "o.node", "o.ele", "o.poly"}) {
+    CAPTURE(name);
+    convert({folder / "a.mesh", folder / name});
+    CHECK_FALSE(read_file(folder / name).empty());
+  }
+}
+
+TEST_CASE("What cannot be converted is refused, and nothing is written", "[system][convert][errors]") {
+  const TemporaryFolder folder;
+  folder.write("a.mesh", square_mesh);
+  folder.write("short.mesh", square_mesh.substr(0, 60));
+  const auto code = [&folder](const std::string& in, const std::string& out) {
+    return run_program({"convert", folder / in, folder / out}).exit_code;
+  };
+  CHECK(code("a.mesh", "o.stl") == 7);
+  CHECK(code("a.stl", "o.mesh") == 7);
+  CHECK(code("none.mesh", "o.mesh") == 7);
+  CHECK(code("short.mesh", "o.mesh") == 7);
+  CHECK(run_program({"convert", folder / "a.mesh"}).exit_code == 2);
+  CHECK(read_file(folder / "o.mesh").empty());
+  folder.write("a.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n1\n1 1\n5\nEnd\n");
+  const ProgramResult result = run_program({"convert", folder / "a.mesh", folder / "o.mesh"});
+  CHECK(result.exit_code == 7);
+  CHECK_THAT(result.err, Catch::Contains("a.sol") && Catch::Contains("4 vertices"));
+}
