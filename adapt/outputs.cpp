@@ -69,7 +69,7 @@ bool all_finite(const std::vector<double>& values) {
 }
 
 void write_picture(const std::string& path, const Case& input, const Iterate& last) {
-  SvgOptions options;
+  PictureOptions options;
   options.title = input.title.empty() ? input.name : input.title;
   if (all_finite(last.values)) {
     options.values = last.values;

@@ -7,6 +7,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/io/boundary_edges.h"
+#include "mesher/io/eps.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/svg.h"
@@ -17,7 +18,7 @@
 namespace parmesan {
 namespace {
 
-enum class Format { Unknown, Medit, BinaryMedit, Gmsh, Triangle, Poly, Vtu, Svg };
+enum class Format { Unknown, Medit, BinaryMedit, Gmsh, Triangle, Poly, Vtu, Svg, Eps };
 
 Format format_of(const std::string& path) {
   const std::string suffix = file_suffix(path);
@@ -28,6 +29,7 @@ Format format_of(const std::string& path) {
   if (suffix == ".poly") return Format::Poly;
   if (suffix == ".vtu") return Format::Vtu;
   if (suffix == ".svg") return Format::Svg;
+  if (suffix == ".eps") return Format::Eps;
   return Format::Unknown;
 }
 
@@ -41,8 +43,8 @@ void write_medit_data(const std::string& path, const Mesh& mesh, const MeshField
 }
 
 /// What a picture shows: the mesh, coloured by its first scalar field.
-SvgOptions picture_options(const MeshFields& fields) {
-  SvgOptions options;
+PictureOptions picture_options(const MeshFields& fields) {
+  PictureOptions options;
   const auto field = std::find_if(fields.points.begin(), fields.points.end(),
                                   [](const MeshField& candidate) { return candidate.components == 1; });
   if (field == fields.points.end()) return options;
@@ -75,7 +77,8 @@ MeshFields medit_fields_beside(const std::string& path, const Mesh& mesh) {
 
 void check_mesh_file_name(const std::string& path) {
   if (format_of(path) != Format::Unknown) return;
-  throw FileError(path, 0, "no mesh is written to this suffix; known are .mesh .meshb .msh .vtu .svg .node .ele .poly");
+  throw FileError(path, 0,
+                  "no mesh is written to this suffix; known are .mesh .meshb .msh .vtu .svg .eps .node .ele .poly");
 }
 
 void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields& fields, Encoding encoding) {
@@ -96,6 +99,8 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
       return write_vtu(path, mesh, fields);
     case Format::Svg:
       return write_svg(path, mesh, picture_options(fields));
+    case Format::Eps:
+      return write_eps(path, mesh, picture_options(fields));
     case Format::Unknown:
       break;
   }

@@ -13,8 +13,8 @@ void check_mesh_file_name(const std::string& path);
 /// Writes a mesh with its fields in the format that the suffix names.
 ///
 /// .mesh, .meshb (Medit): fields go to .sol or .solb beside it; .msh (Gmsh 4.1); .vtu (VTK); .node, .ele (Triangle:
-/// PATH.node, PATH.ele and PATH.edge) and .poly (the domain of the mesh, see domain_of) without fields; .svg
-/// (a picture, coloured by the first scalar field at vertices). encoding: of .msh, the only format that has both.
+/// PATH.node, PATH.ele and PATH.edge) and .poly (the domain of the mesh, see domain_of) without fields; .svg, .eps
+/// (pictures, coloured by the first scalar field at vertices). encoding: of .msh, the only format that has both.
 /// Errors: InputError when a field has not one value per entity; FileError.
 void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields& fields = {},
                      Encoding encoding = Encoding::Text);

@@ -3,121 +3,124 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesher/errors.h"
 #include "mesher/io/output_file.h"
-#include "mesher/io/picture/axes.h"
-#include "mesher/io/picture/colour_map.h"
-#include "mesher/io/picture/side_classes.h"
-#include "mesher/io/picture/svg_path.h"
-#include "mesher/io/picture/svg_text.h"
-#include "mesher/io/picture/value_bands.h"
-#include "mesher/io/picture/view.h"
+#include "mesher/io/xml_text.h"
 
 namespace parmesan {
 namespace {
 
-/// Where the mesh, and what stands around it, lie in the picture.
-struct Layout {
-  View view;
-  double width = 0.0;  // of the picture, in pixels
-  double height = 0.0;
+/// The data of a path in hundredths of a pixel, as short as relative whole numbers make it.
+class PathData {
+ public:
+  explicit PathData(const PicturePath& path) {
+    for (const PicturePath::Step& step : path.steps()) append(step);
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void append(const PicturePath::Step& step) {
+    if (step.command == PicturePath::Command::Close) {
+      text_ += last_command_ = 'z';
+    } else {
+      append_number_pair(step.command == PicturePath::Command::MoveTo ? 'm' : 'l', step);
+    }
+    last_ = step;
+  }
+
+  void append_number_pair(char command, const PicturePath::Step& step) {
+    const std::string dx = std::to_string(step.x - last_.x);
+    const std::string dy = std::to_string(step.y - last_.y);
+    const bool is_repeated = command == last_command_ && command == 'l';
+    if (!is_repeated) text_ += command;
+    if (is_repeated && dx.front() != '-') text_ += ' ';  // a sign separates numbers too
+    text_ += dx;
+    if (dy.front() != '-') text_ += ' ';
+    text_ += dy;
+    last_command_ = command;
+  }
+
+  std::string text_;
+  PicturePath::Step last_;
+  char last_command_ = 0;  // a repeated one need not be written
 };
 
-Layout layout_of(const Mesh& mesh, const SvgOptions& options) {
-  const double left = options.show_axes ? 58.0 : 12.0;
-  const double bottom = options.show_axes ? 36.0 : 12.0;
-  const double right = options.values.empty() ? 14.0 : 96.0;
-  const bool has_header = !options.title.empty() || !options.values_name.empty();
-  const double top = has_header ? 44.0 : 14.0;
-  Layout layout;
-  layout.width = options.width_px;
-  layout.view.bounds = bounds_of(mesh);
-  const Vector extent = layout.view.bounds.high - layout.view.bounds.low;
-  const double room_x = std::max(layout.width - left - right, 20.0);
-  const double room_y = 1.5 * layout.width;  // tall domains are drawn narrower than the picture
-  const double scale = std::min(room_x / extent.x, room_y / extent.y);
-  layout.view.scale = std::isfinite(scale) ? scale : 1.0;  // not for a mesh that is a point
-  layout.height = top + layout.view.height() + bottom;
-  layout.view.corner = {left + 0.5 * (room_x - layout.view.width()), top + layout.view.height()};
-  return layout;
-}
-
-void check(const Mesh& mesh, const SvgOptions& options) {
-  if (!options.values.empty() && options.values.size() != mesh.points.size()) {
-    throw InputError("a picture needs one value per vertex, has " + std::to_string(options.values.size()) + " for " +
-                     std::to_string(mesh.points.size()));
+class SvgCanvas : public Canvas {
+ public:
+  SvgCanvas(OutputFile& out, const PictureLayout& layout) : out_(out) {
+    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+    attribute("width", layout.width);
+    attribute("height", layout.height);
+    out_ << " viewBox=\"0 0 ";
+    number(layout.width);
+    out_ << ' ';
+    number(layout.height);
+    out_ << "\" font-family=\"Helvetica,Arial,sans-serif\">\n";
   }
-  if (options.width_px < 200 || options.width_px > 20000) throw InputError("width_px must be from 200 to 20000");
-  if (options.num_colours < 2 || options.num_colours > 256) throw InputError("num_colours must be from 2 to 256");
-}
 
-void write_head(OutputFile& out, const Layout& layout, const SvgOptions& options) {
-  out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << options.width_px << "\" height=\"";
-  write_pixels(out, layout.height);
-  out << "\" viewBox=\"0 0 " << options.width_px << ' ';
-  write_pixels(out, layout.height);
-  out << "\" font-family=\"Helvetica,Arial,sans-serif\" font-size=\"11\" fill=\"#374151\">\n";
-  out << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-  if (options.title.empty()) return;
-  write_text(out, {layout.view.corner.x, 22.0}, "font-size=\"15\" font-weight=\"600\" fill=\"#111827\"", options.title);
-}
+  void finish() { out_ << "</svg>\n"; }
 
-void write_path(OutputFile& out, const SvgPath& path, const char* attribute, std::string_view value) {
-  if (!path.empty()) out << "<path " << attribute << "=\"" << value << "\" d=\"" << path.data() << "\"/>\n";
-}
-
-// A band's line in its own colour covers the seams that antialiasing leaves between polygons.
-void write_bands(OutputFile& out, const Mesh& mesh, const View& view, const SvgOptions& options, ValueRange range) {
-  const auto bands = value_bands(mesh, view, options.values, range, options.num_colours);
-  out << "<g transform=\"scale(.01)\" stroke-width=\"100\" stroke-linejoin=\"round\">\n";
-  for (std::size_t i = 0; i < bands.size(); ++i) {
-    const std::string colour = colour_at((static_cast<double>(i) + 0.5) / static_cast<double>(bands.size()));
-    write_path(out, bands[i], ("stroke=\"" + colour + "\" fill").c_str(), colour);
+  void fill(const PicturePath& path, const std::string& colour) override {
+    if (path.empty()) return;
+    out_ << "<path fill=\"" << colour << "\" stroke=\"" << colour
+         << "\" stroke-width=\"100\" stroke-linejoin=\"round\"";
+    end_path(path);
   }
-  out << "</g>\n";
-}
 
-void write_sides(OutputFile& out, const Mesh& mesh, const View& view, bool coloured) {
-  out << "<g transform=\"scale(.01)\" fill=\"none\" stroke=\"" << (coloured ? "#000\" stroke-opacity=\".35" : "#334155")
-      << "\">\n";
-  for (const SideClass& sides : side_classes(mesh, view)) {
-    out << "<path stroke-width=\"";
-    write_pixels(out, 100.0 * sides.width_px);
-    out << "\" d=\"" << sides.path.data() << "\"/>\n";
+  void stroke(const PicturePath& path, const Pen& pen) override {
+    if (path.empty()) return;
+    out_ << "<path fill=\"none\" stroke=\"" << pen.colour << '"';
+    attribute("stroke-width", 100.0 * pen.width_px);
+    if (pen.opacity < 1.0) attribute("stroke-opacity", pen.opacity);
+    if (pen.has_round_ends) out_ << " stroke-linecap=\"round\"";
+    end_path(path);
   }
-  out << "</g>\n";
-}
 
-void write_edges(OutputFile& out, const Mesh& mesh, const View& view) {
-  SvgPath path;
-  for (const auto& [a, b] : mesh.edges) {
-    path.move_to(view(mesh.points[static_cast<std::size_t>(a)]));
-    path.line_to(view(mesh.points[static_cast<std::size_t>(b)]));
+  void rectangle(const Point& corner, double width, double height, const std::string& colour) override {
+    out_ << "<rect shape-rendering=\"crispEdges\"";
+    attribute("x", corner.x);
+    attribute("y", corner.y);
+    attribute("width", width);
+    attribute("height", height);
+    out_ << " fill=\"" << colour << "\"/>\n";
   }
-  out << "<g transform=\"scale(.01)\" fill=\"none\" stroke=\"#0f172a\" stroke-linecap=\"round\">\n";
-  write_path(out, path, "stroke-width", "130");
-  out << "</g>\n";
-}
+
+  void text(const Point& at, std::string_view text, const TextStyle& style) override {
+    out_ << "<text";
+    attribute("x", at.x);
+    attribute("y", at.y);
+    attribute("font-size", style.size_px);
+    if (style.is_bold) out_ << " font-weight=\"600\"";
+    if (style.anchor == TextStyle::Anchor::Middle) out_ << " text-anchor=\"middle\"";
+    if (style.anchor == TextStyle::Anchor::End) out_ << " text-anchor=\"end\"";
+    out_ << " fill=\"" << style.colour << "\">" << xml_escaped(text) << "</text>\n";
+  }
+
+ private:
+  /// With two decimals, as short as possible. Beyond 10^12: clamped.
+  void number(double value) { out_ << std::round(100.0 * std::clamp(value, -1e12, 1e12)) / 100.0; }
+
+  void attribute(const char* name, double value) {
+    out_ << ' ' << name << "=\"";
+    number(value);
+    out_ << '"';
+  }
+
+  void end_path(const PicturePath& path) {
+    out_ << " transform=\"scale(.01)\" d=\"" << PathData(path).text() << "\"/>\n";
+  }
+
+  OutputFile& out_;
+};
 
 }  // namespace
 
-void write_svg(const std::string& path, const Mesh& mesh, const SvgOptions& options) {
-  check(mesh, options);
-  const ValueRange range = range_of(options.values);
-  const Layout layout = layout_of(mesh, options);
+void write_svg(const std::string& path, const Mesh& mesh, const PictureOptions& options) {
+  const PictureLayout layout = picture_layout(mesh, options);
   OutputFile out(path);
-  write_head(out, layout, options);
-  const bool coloured = !options.values.empty();
-  if (coloured) write_bands(out, mesh, layout.view, options, range);
-  if (options.show_edges) write_sides(out, mesh, layout.view, coloured);
-  write_edges(out, mesh, layout.view);
-  if (options.show_axes) write_axes(out, layout.view);
-  if (coloured) {
-    const double height = std::max(layout.view.height(), 60.0);
-    const Point corner{layout.width - 76.0, layout.view.corner.y - layout.view.height()};
-    write_colour_bar(out, {corner, height, options.num_colours, options.values_name}, range);
-  }
-  out << "</svg>\n";
+  SvgCanvas canvas(out, layout);
+  draw_mesh(canvas, mesh, layout, options);
+  canvas.finish();
   out.commit();
 }
 

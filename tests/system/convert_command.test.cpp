@@ -82,7 +82,7 @@ TEST_CASE("A geometry becomes a mesh without new vertices, and a .poly file", "[
 TEST_CASE("A mesh is written to every format that there is", "[system][convert]") {
   const TemporaryFolder folder;
   folder.write("a.mesh", square_mesh);
-  for (const char* name : {"o.mesh", "o.meshb", "o.msh", "o.vtu", "o.svg", "o.node", "o.ele", "o.poly"}) {
+  for (const char* name : {"o.mesh", "o.meshb", "o.msh", "o.vtu", "o.svg", "o.eps", "o.node", "o.ele", "o.poly"}) {
     CAPTURE(name);
     convert({folder / "a.mesh", folder / name});
     CHECK_FALSE(read_file(folder / name).empty());

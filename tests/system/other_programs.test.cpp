@@ -252,3 +252,16 @@ TEST_CASE("A .pvd file is XML that lists files that are there", "[system][others
   CHECK(read[0][0] == 0.0);
   CHECK(read[0][1] > 3);
 }
+
+TEST_CASE("Ghostscript draws our EPS within its bounds", "[system][others]") {
+  if (!is_installed("gs")) return;
+  const TemporaryFolder folder;
+  const Mesh mesh = sample_mesh(30);
+  parmesan::write_mesh_file(folder / "m.eps", mesh, fields_of(mesh));
+  const ProgramResult result =
+      run_other("gs", {"-q", "-dSAFER", "-dBATCH", "-dNOPAUSE", "-sDEVICE=bbox", folder / "m.eps"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  // "%%BoundingBox: x y x y" of what was drawn; the picture is 900 wide and draws its own ground.
+  CHECK_THAT(result.err, Catch::Contains("%%BoundingBox: 0 0 900 "));
+}

@@ -88,7 +88,7 @@ Command add_convert_command(CLI::App& program) {
       ->required()
       ->option_text(" ");
   app->add_option("OUT", arguments->out,
-                  "The suffix names the format: .mesh .meshb .msh .vtu .svg .node .ele .poly, or .sol .solb")
+                  "The suffix names the format: .mesh .meshb .msh .vtu .svg .eps .node .ele .poly, or .sol .solb")
       ->required()
       ->option_text(" ");
   app->add_flag("--binary", arguments->binary, "Binary .msh; .mesh and .meshb tell by their names");

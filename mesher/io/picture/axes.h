@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "mesher/io/output_file.h"
+#include "mesher/io/picture/canvas.h"
 #include "mesher/io/picture/value_bands.h"
 #include "mesher/io/picture/view.h"
 
 namespace parmesan {
 
 /// Draws the two axes with ticks and coordinates, a little to the left of and below the mesh.
-void write_axes(OutputFile& out, const View& view);
+void draw_axes(Canvas& canvas, const View& view);
 
 /// A colour bar: its upper left corner and its height, in pixels, and how many colours it has.
 struct ColourBar {
@@ -20,6 +20,6 @@ struct ColourBar {
 };
 
 /// Draws the colour bar with ticks to its right and the name above.
-void write_colour_bar(OutputFile& out, const ColourBar& bar, ValueRange range);
+void draw_colour_bar(Canvas& canvas, const ColourBar& bar, ValueRange range);
 
 }  // namespace parmesan

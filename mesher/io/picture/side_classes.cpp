@@ -51,7 +51,7 @@ std::vector<SideClass> side_classes(const Mesh& mesh, const View& view) {
     classes.push_back({0.25 * std::exp2(0.25 * (exponent + 0.5)), {}});
   }
   for (const Side& side : sides_with_exponents(mesh, view)) {
-    SvgPath& path = classes[static_cast<std::size_t>(side.exponent - smallest)].path;
+    PicturePath& path = classes[static_cast<std::size_t>(side.exponent - smallest)].path;
     path.move_to(view(mesh.points[static_cast<std::size_t>(side.low)]));
     path.line_to(view(mesh.points[static_cast<std::size_t>(side.high)]));
   }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/io/picture/svg_path.h"
+#include "mesher/io/picture/picture_path.h"
 #include "mesher/io/picture/view.h"
 #include "mesher/mesh.h"
 
@@ -11,7 +11,7 @@ namespace parmesan {
 /// Sides of triangles that are drawn with lines of the same width.
 struct SideClass {
   double width_px = 0.0;
-  SvgPath path;
+  PicturePath path;
 };
 
 /// The sides of all triangles, each once. With a the smallest altitude of the triangles beside it a

@@ -39,7 +39,7 @@ Polygon cut(const Polygon& polygon, double level, double sign) {
   return result;
 }
 
-void draw(SvgPath& path, const Polygon& polygon) {
+void draw(PicturePath& path, const Polygon& polygon) {
   if (polygon.size < 3) return;
   path.move_to(polygon.corners[0].point);
   for (std::size_t i = 1; i < polygon.size; ++i) path.line_to(polygon.corners[i].point);
@@ -47,7 +47,7 @@ void draw(SvgPath& path, const Polygon& polygon) {
 }
 
 /// Cuts a triangle into its bands from below: each takes its slice off what is left.
-void draw_slices(Polygon rest, std::vector<SvgPath>& bands) {
+void draw_slices(Polygon rest, std::vector<PicturePath>& bands) {
   const auto num_bands = static_cast<int>(bands.size());
   double lowest = rest.corners[0].height;
   double highest = lowest;
@@ -81,9 +81,9 @@ ValueRange range_of(std::span<const double> values) {
   return {*low, *high};
 }
 
-std::vector<SvgPath> value_bands(const Mesh& mesh, const View& view, std::span<const double> values, ValueRange range,
-                                 int num_bands) {
-  std::vector<SvgPath> bands(static_cast<std::size_t>(num_bands));
+std::vector<PicturePath> value_bands(const Mesh& mesh, const View& view, std::span<const double> values,
+                                     ValueRange range, int num_bands) {
+  std::vector<PicturePath> bands(static_cast<std::size_t>(num_bands));
   for (const auto& triangle : mesh.triangles) {
     Polygon polygon;
     for (const int index : triangle) {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mesher/io/picture/svg_path.h"
+#include "mesher/io/picture/picture_path.h"
 #include "mesher/io/picture/view.h"
 #include "mesher/mesh.h"
 
@@ -24,7 +24,7 @@ ValueRange range_of(std::span<const double> values);
 /// Where the piecewise linear function with these values at the vertices lies in each of num_bands
 /// equal parts of the range: a path of polygons per band, the lowest first. Each triangle is cut
 /// exactly along the levels. Cost: O(triangles x bands that they cross).
-std::vector<SvgPath> value_bands(const Mesh& mesh, const View& view, std::span<const double> values, ValueRange range,
-                                 int num_bands);
+std::vector<PicturePath> value_bands(const Mesh& mesh, const View& view, std::span<const double> values,
+                                     ValueRange range, int num_bands);
 
 }  // namespace parmesan

@@ -21,7 +21,7 @@ using parmesan::support::TemporaryFolder;
 TEST_CASE("The suffix names the format of a mesh", "[mesher][io]") {
   const TemporaryFolder folder;
   const Mesh mesh = sample_mesh(3);
-  for (const char* name : {"a.mesh", "b.node", "c.ele", "d.Mesh"}) {
+  for (const char* name : {"a.mesh", "b.node", "c.ele", "d.Mesh", "g.meshb", "h.msh"}) {
     CAPTURE(name);
     CHECK_NOTHROW(check_mesh_file_name(folder / name));
     write_mesh_file(folder / name, mesh);
@@ -31,13 +31,17 @@ TEST_CASE("The suffix names the format of a mesh", "[mesher][io]") {
   CHECK_THAT(content_of(folder / "e.vtu"), Catch::Contains("<VTKFile"));
   write_mesh_file(folder / "f.svg", mesh);
   CHECK_THAT(content_of(folder / "f.svg"), Catch::StartsWith("<svg"));
+  write_mesh_file(folder / "f.eps", mesh);
+  CHECK_THAT(content_of(folder / "f.eps"), Catch::StartsWith("%!PS-Adobe"));
+  write_mesh_file(folder / "f.poly", mesh);
+  CHECK_THAT(content_of(folder / "f.poly"), Catch::StartsWith("6 2 0 0\n"));  // corners, and ends of the border inside
 }
 
 TEST_CASE("An unknown suffix of a mesh is refused with the known ones", "[mesher][io][errors]") {
   const TemporaryFolder folder;
   for (const char* name : {"m", "m.stl", "mesh.", ".mesh/m", "m.mesh.gz"}) {
     CAPTURE(name);
-    CHECK_THAT(error_message([&] { check_mesh_file_name(folder / name); }), Catch::Contains(".vtu .svg"));
+    CHECK_THAT(error_message([&] { check_mesh_file_name(folder / name); }), Catch::Contains(".vtu .svg .eps"));
     CHECK_THROWS_AS(write_mesh_file(folder / name, Mesh{}), FileError);
     CHECK_THROWS_AS(read_mesh_file(folder / name), FileError);
   }

@@ -10,7 +10,7 @@
 
 using parmesan::InputError;
 using parmesan::Mesh;
-using parmesan::SvgOptions;
+using parmesan::PictureOptions;
 using parmesan::write_svg;
 using parmesan::support::content_of;
 using parmesan::support::sample_mesh;
@@ -18,7 +18,7 @@ using parmesan::support::TemporaryFolder;
 
 namespace {
 
-std::string svg(const Mesh& mesh, const SvgOptions& options) {
+std::string svg(const Mesh& mesh, const PictureOptions& options) {
   const TemporaryFolder folder;
   write_svg(folder / "m.svg", mesh, options);
   return content_of(folder / "m.svg");
@@ -29,7 +29,7 @@ std::string svg(const Mesh& mesh, const SvgOptions& options) {
 TEST_CASE("A picture carries its title, name of values and axes as text", "[mesher][io][svg]") {
   const Mesh mesh = sample_mesh(3);
   const std::vector<double> values(mesh.points.size(), 1.0);
-  SvgOptions options;
+  PictureOptions options;
   options.title = "a <b> & </svg>";
   options.values_name = "u";
   options.values = values;
@@ -43,7 +43,7 @@ TEST_CASE("A picture carries its title, name of values and axes as text", "[mesh
 
 TEST_CASE("Without sides a picture is smaller and keeps its boundary", "[mesher][io][svg]") {
   const Mesh mesh = sample_mesh(10);
-  SvgOptions options;
+  PictureOptions options;
   const std::string with_sides = svg(mesh, options);
   options.show_edges = false;
   const std::string without = svg(mesh, options);
@@ -66,7 +66,7 @@ TEST_CASE("Odd meshes are drawn without nan or inf", "[mesher][io][svg]") {
   SECTION("tiny") { mesh.points = {{0.0, 0.0}, {5e-324, 5e-324}}; }
   SECTION("huge") { mesh.points = {{0.0, 0.0}, {1e308, 1e308}}; }
   const std::vector<double> values(mesh.points.size(), 2.0);
-  SvgOptions options;
+  PictureOptions options;
   options.values = values;
   const std::string picture = svg(mesh, options);
   CHECK_THAT(picture, !Catch::Contains("nan") && !Catch::Contains("inf"));
@@ -75,7 +75,7 @@ TEST_CASE("Odd meshes are drawn without nan or inf", "[mesher][io][svg]") {
 TEST_CASE("What cannot be drawn is refused", "[mesher][io][svg][errors]") {
   const TemporaryFolder folder;
   Mesh mesh = sample_mesh(1);
-  SvgOptions options;
+  PictureOptions options;
   const std::vector<double> short_values(3, 0.0);
   const std::vector<double> bad_values(4, std::numeric_limits<double>::quiet_NaN());
   SECTION("values of the wrong number") { options.values = short_values; }

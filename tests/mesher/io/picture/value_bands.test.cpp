@@ -1,9 +1,7 @@
 #include "mesher/io/picture/value_bands.h"
 
 #include <catch2/catch.hpp>
-#include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "mesher/errors.h"
@@ -12,33 +10,19 @@
 #include "tests/mesher/io/sample_mesh.h"
 
 using parmesan::Mesh;
+using parmesan::PicturePath;
 using parmesan::Point;
-using parmesan::SvgPath;
 using parmesan::View;
 using parmesan::support::sample_mesh;
 
 namespace {
 
-/// The pieces of a path with relative moves and lines, in pixels.
-std::vector<std::vector<Point>> pieces_of(const SvgPath& path) {
+/// The pieces of a path, in pixels.
+std::vector<std::vector<Point>> pieces_of(const PicturePath& path) {
   std::vector<std::vector<Point>> pieces;
-  Point at{0.0, 0.0};
-  const char* s = path.data().c_str();
-  char command = 0;
-  while (*s != 0) {
-    if (*s == 'z') {
-      at = pieces.back().front();
-      ++s;
-      continue;
-    }
-    if (std::isalpha(static_cast<unsigned char>(*s)) != 0) command = *s++;
-    char* end = nullptr;
-    const double dx = std::strtod(s, &end);
-    const double dy = std::strtod(end, &end);
-    s = end;
-    at = at + Point{0.01 * dx, 0.01 * dy};
-    if (command == 'm') pieces.emplace_back();
-    pieces.back().push_back(at);
+  for (const PicturePath::Step& step : path.steps()) {
+    if (step.command == PicturePath::Command::MoveTo) pieces.emplace_back();
+    if (step.command != PicturePath::Command::Close) pieces.back().push_back({0.01 * step.x, 0.01 * step.y});
   }
   return pieces;
 }
@@ -49,7 +33,7 @@ double area(const std::vector<Point>& polygon) {
   return std::abs(0.5 * doubled);
 }
 
-double area(const SvgPath& path) {
+double area(const PicturePath& path) {
   double sum = 0.0;
   for (const auto& piece : pieces_of(path)) sum += area(piece);
   return sum;
@@ -59,8 +43,8 @@ const View view{{{0.0, 0.0}, {1.0, 1.0}}, 500.0, {20.0, 530.0}};
 
 }  // namespace
 
-TEST_CASE("SvgPath keeps its place through closed and open pieces", "[mesher][io][picture]") {
-  SvgPath path;
+TEST_CASE("PicturePath keeps its place through closed and open pieces", "[mesher][io][picture]") {
+  PicturePath path;
   path.move_to({1.0, 2.0});
   path.line_to({2.0, 2.0});
   path.line_to({1.5, -3.25});
@@ -99,7 +83,8 @@ TEST_CASE("The bands of any function cover the mesh once", "[mesher][io][picture
   for (const Point& p : mesh.points) values.push_back(std::sin(9.0 * p.x) * std::cos(7.0 * p.y + 1.0));
   const int num_bands = GENERATE(2, 13, 256);
   double sum = 0.0;
-  for (const SvgPath& band : value_bands(mesh, view, values, parmesan::range_of(values), num_bands)) sum += area(band);
+  for (const PicturePath& band : value_bands(mesh, view, values, parmesan::range_of(values), num_bands))
+    sum += area(band);
   CHECK(sum == Approx(500.0 * 500.0).epsilon(1e-3));
 }
 
@@ -107,7 +92,7 @@ TEST_CASE("A constant function has one band", "[mesher][io][picture]") {
   const Mesh mesh = sample_mesh(2);
   const std::vector<double> values(9, 4.0);
   double sum = 0.0;
-  for (const SvgPath& band : value_bands(mesh, view, values, parmesan::range_of(values), 3)) sum += area(band);
+  for (const PicturePath& band : value_bands(mesh, view, values, parmesan::range_of(values), 3)) sum += area(band);
   CHECK(sum == Approx(500.0 * 500.0).epsilon(1e-3));
 }
 
