@@ -58,8 +58,33 @@ void read_targets(CaseReading& reading, const Json& section, Case& result) {
   }
 }
 
+template <class Names>
+auto named(const Json& section, const char* key, const Names& names) {
+  return named_value(names, section[key].get<std::string>());
+}
+
+ThesisOptions read_thesis(const Json& section) {
+  return {.potential = named(section, "potential", potential_names),
+          .decay = section["decay"].get<double>(),
+          .neighbourhood = named(section, "neighbourhood", neighbourhood_names),
+          .radius = section["radius"].get<double>(),
+          .force = named(section, "force", force_names),
+          .distance = named(section, "distance", distance_names),
+          .step = section["step"].get<double>(),
+          .momentum = section["momentum"].get<double>(),
+          .alive_speed = section["alive_speed"].get<double>(),
+          .virtual_triangles = section["virtual_triangles"].get<bool>(),
+          .creation = named(section, "creation", creation_names),
+          .annihilation = named(section, "annihilation", annihilation_names),
+          .relocation = named(section, "relocation", relocation_names),
+          .picking = named(section, "picking", picking_names),
+          .max_picks = section["max_picks"].get<double>()};
+}
+
 void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   GenerateOptions& mesher = result.mesher;
+  if (section["schedule"] == "thesis") mesher.schedule = Schedule::Thesis;
+  mesher.thesis = read_thesis(section["thesis"]);
   const Json& preset = section["preset"];
   mesher.preset = preset == "fast" ? Preset::Fast : (preset == "mid" ? Preset::Mid : Preset::Good);
   mesher.seed = static_cast<std::uint64_t>(section["seed"].get<double>());

@@ -191,11 +191,43 @@ constexpr const char* kSchema = R"schema({
     "mesher": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
       "properties": {
-        "schedule": { "enum": ["fast"], "default": "fast" },
+        "schedule": { "enum": ["fast", "thesis"], "default": "fast",
+                      "description": "sweeps, or the random picks of the thesis" },
+        "thesis": { "$ref": "#/$defs/thesis", "default": {} },
         "preset": { "enum": ["fast", "mid", "good"], "default": "good" },
         "seed": { "type": "integer", "minimum": 0, "default": 1 },
         "lower_error": { "type": "boolean", "default": false,
                          "description": "move vertices and swap edges last to lower the L2 error itself" }
+      }
+    },
+    "thesis": {
+      "description": "parameters of the schedule \"thesis\"; by default as it was written",
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "potential": { "enum": ["gaussian", "gaussian-derivative", "lennard-jones", "shimada",
+                                "lennard-jones-approximation", "laplacian", "length-error", "ratio-error"],
+                       "default": "lennard-jones-approximation" },
+        "decay": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "maximum": 100, "default": 1,
+                   "description": "d of the approximation 3.20" },
+        "neighbourhood": { "enum": ["n1", "n2", "radius"], "default": "n1" },
+        "radius": { "$ref": "#/$defs/constant", "minimum": 1, "maximum": 10, "default": 1.5,
+                    "description": "in unit edges" },
+        "force": { "enum": ["gradient", "along-edge"], "default": "along-edge", "description": "5.15 or 5.16" },
+        "distance": { "enum": ["linear-metric", "mean-length", "mean-metric"], "default": "mean-metric",
+                      "description": "5.6, 5.7 or 5.8" },
+        "step": { "$ref": "#/$defs/constant", "minimum": 0, "maximum": 10, "default": 0,
+                  "description": "delta of 3.12; 0: Newton's step on the hexagonal lattice" },
+        "momentum": { "$ref": "#/$defs/constant", "minimum": 0, "maximum": 0.99, "default": 0,
+                      "description": "beta of 3.13; 0: first order" },
+        "alive_speed": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "maximum": 0.99, "default": 0.01,
+                         "description": "slower particles die; unit edges per pick" },
+        "virtual_triangles": { "type": "boolean", "default": true },
+        "creation": { "enum": ["midpoint", "circumcentre"], "default": "midpoint" },
+        "annihilation": { "enum": ["removal", "collapse"], "default": "removal" },
+        "relocation": { "enum": ["reinsert", "in-place"], "default": "reinsert" },
+        "picking": { "enum": ["uniform", "by-speed", "hilbert"], "default": "uniform" },
+        "max_picks": { "$ref": "#/$defs/constant", "minimum": 1, "maximum": 1e9, "default": 400,
+                       "description": "per particle" }
       }
     },
     "initial": {

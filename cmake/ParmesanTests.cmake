@@ -41,3 +41,11 @@ if(TARGET tests_system AND TARGET parmesan)
   target_compile_definitions(tests_system PRIVATE PARMESAN_PROGRAM="$<TARGET_FILE:parmesan>")
   add_dependencies(tests_system parmesan)
 endif()
+
+# The experiments of the thesis, small, with their laws.
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_FOUND)
+  add_test(NAME thesis/reproduce
+           COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/thesis/reproduce --quick
+                   --program $<TARGET_FILE:thesis_experiments> --out ${PROJECT_BINARY_DIR}/thesis.out)
+endif()

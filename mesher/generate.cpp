@@ -78,7 +78,7 @@ Mesh in_local_order(Mesh mesh) {
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
 // Without momentum: it pays when a later remesh settles what it has stirred up.
 Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double expected,
-                       FastScheduleOptions effort, const TensorField* hessian) {
+                       FastScheduleOptions effort, const GenerateOptions& options) {
   effort.momentum = 0.0;
   const int levels = std::max(0, static_cast<int>(std::lround(std::log(expected / coarsest_vertices) / std::log(4.0))));
   const FastScheduleOptions coarse_effort{.rounds = 2,
@@ -98,17 +98,29 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
     }
     particles.set_level({scale, false});
     run_fast_schedule(particles, level == 0 ? effort : coarse_effort);
-    relaxed = level == 0 ? taken_lower_in_error(particles, hessian) : taken_from(particles);
+    if (options.observer) options.observer(particles, levels - level);
+    relaxed = level == 0 ? taken_lower_in_error(particles, options.hessian) : taken_from(particles);
     if (level > 0) relaxed.mesh = in_local_order(refine_red(relaxed.mesh));
   }
   return relaxed;
 }
 
 Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh, const FastScheduleOptions& effort,
-                           const TensorField* hessian) {
+                           const GenerateOptions& options) {
   ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);
+  if (options.observer) options.observer(particles, 0);
   run_fast_schedule(particles, effort);
-  return taken_lower_in_error(particles, hessian);
+  return taken_lower_in_error(particles, options.hessian);
+}
+
+// From the sites of the domain, or from the previous mesh as it is.
+Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mesh& start,
+                       const GenerateOptions& options, GenerateReport& report) {
+  ParticleSystem particles(from_mesh(start, start.labels), domain, field);
+  report.thesis =
+      run_thesis_schedule(particles, options.thesis, options.seed, options.max_vertices, options.observer);
+  if (!report.thesis->settled) report.warnings.push_back(report.thesis->diagnosis);
+  return taken_lower_in_error(particles, options.hessian);
 }
 
 // Edges carry their segment's number while meshing; the user's label at the end.
@@ -129,6 +141,8 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   const Domain& domain = cleaned.domain;
   result.report.warnings = std::move(cleaned.repairs);
   const FastScheduleOptions effort = fast_schedule_options(options);
+  const bool by_thesis = options.schedule == Schedule::Thesis;
+  validate(options.thesis);
 
   StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<std::vector<int>> segments;
@@ -136,6 +150,8 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
     segments = match_edges_to_segments(*previous, domain);
     choice.reason = "the previous mesh does not fit the geometry";
     if (segments) choice = choose_start(*previous, field);
+    if (segments && by_thesis)
+      choice = {Start::PreviousMesh, 0, choice.expected_vertices, "the thesis's schedule starts from any mesh"};
     if (!segments) result.report.warnings.push_back(choice.reason + ": started from scratch");
   }
   const bool from_scratch = choice.start == Start::Scratch;
@@ -146,9 +162,13 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   check_size(expected, options.max_vertices);
 
   for (int i = 0; i < choice.refinements; ++i) start = refine_red(start);
-  Relaxed relaxed = from_scratch
-                        ? mesh_in_levels(domain, field, start, expected, effort, options.hessian)
-                        : mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options.hessian);
+  Relaxed relaxed;
+  if (by_thesis)
+    relaxed = mesh_by_thesis(domain, field, start, options, result.report);
+  else if (from_scratch)
+    relaxed = mesh_in_levels(domain, field, start, expected, effort, options);
+  else
+    relaxed = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options);
   result.report.start = choice.start;
   result.report.start_reason = std::move(choice.reason);
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);

@@ -10,6 +10,9 @@
 #include "mesher/mesh.h"
 #include "mesher/metric/metric_field.h"
 #include "mesher/metric/tensor_field.h"
+#include "mesher/particles/mesh_observer.h"
+#include "mesher/particles/thesis_options.h"
+#include "mesher/particles/thesis_schedule.h"
 #include "mesher/start_choice.h"
 
 namespace parmesan {
@@ -17,15 +20,22 @@ namespace parmesan {
 /// How much relaxation a mesh is given.
 enum class Preset { Fast, Mid, Good };
 
+/// How particles are brought to equilibrium: sweep by sweep, or as the thesis does it, pick by pick.
+enum class Schedule { Fast, Thesis };
+
 /// How generate works. Every field has a default that suits most meshes.
 struct GenerateOptions {
-  Preset preset = Preset::Good;
+  Schedule schedule = Schedule::Fast;
+  Preset preset = Preset::Good;            // of the fast schedule
+  ThesisOptions thesis;                    // of the thesis's schedule
   std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
   std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
 
   // Signed second derivatives of a function, U / L^2, not owned. When given, the finished mesh is changed so that the
   // L2 error of the function's interpolant falls, and stays a unit mesh: see ErrorDescent.
   const TensorField* hessian = nullptr;
+
+  MeshObserver observer;  // called while the mesh is made
 };
 
 /// What happened inside generate.
@@ -34,6 +44,7 @@ struct GenerateReport {
   std::string start_reason;  // why that and not another
   double complexity = 0.0;   // integral of sqrt(det M) over the mesh
   Diagnosis diagnosis;       // where the mesh misses its metric, and why
+  std::optional<ThesisReport> thesis;
   std::vector<std::string> warnings;
 };
 
@@ -47,8 +58,8 @@ struct GenerateResult {
 /// Meshes the domain so that every edge has metric length close to 1.
 ///
 /// previous: an earlier mesh of the same domain; its particles are the start when it conforms to
-/// the domain and choose_start finds it near enough to the metric. Otherwise the mesh is the one made
-/// without it. Same input, same bits. The mesh returned has passed validate().
+/// the domain and choose_start finds it near enough to the metric; the thesis's schedule starts from any that conforms.
+/// Otherwise the mesh is the one made without it. Same input, same bits. The mesh returned has passed validate().
 ///
 /// Errors: GeometryError for a domain that clean() refuses; LimitError when the integral of the
 /// metric asks for more than max_vertices; MeshingError when no valid mesh could be made.

@@ -101,11 +101,20 @@ void ParticleSystem::move(VertexId v, const Point& p) {
 }
 
 VertexId ParticleSystem::create_on_edge(EdgeId e, const Point& p) {
-  const MetricHint hint = hint_[static_cast<std::size_t>(mesh_.org(e))];
-  const std::int32_t place = place_[static_cast<std::size_t>(mesh_.org(e))];
+  const VertexId near = mesh_.org(e);
   const Binding binding = mesh_.is_constrained(e) ? mesh_.segment(e) : free_particle;
-  const VertexId v = mesh_.split_edge(e, p);
+  return take_in(mesh_.split_edge(e, p), near, binding);
+}
+
+VertexId ParticleSystem::create_in_face(EdgeId e, const Point& p) {
+  const VertexId near = mesh_.org(e);
+  return take_in(mesh_.split_face(e, p), near, free_particle);
+}
+
+// The vertex v becomes a particle.
+VertexId ParticleSystem::take_in(VertexId v, VertexId near, Binding binding) {
   const auto i = static_cast<std::size_t>(v);
+  const auto neighbour = static_cast<std::size_t>(near);
   if (i >= metric_.size()) {
     metric_.resize(i + 1);
     hint_.resize(i + 1);
@@ -113,11 +122,11 @@ VertexId ParticleSystem::create_on_edge(EdgeId e, const Point& p) {
     velocity_.resize(i + 1);
     place_.resize(i + 1);
   }
-  hint_[i] = hint;
+  hint_[i] = hint_[neighbour];
   binding_[i] = binding;
   velocity_[i] = {};
-  place_[i] = place;
-  metric_[i] = evaluate(p, hint_[i]);
+  place_[i] = place_[neighbour];
+  metric_[i] = evaluate(mesh_.point(v), hint_[i]);
   return v;
 }
 

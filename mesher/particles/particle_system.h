@@ -45,6 +45,9 @@ class ParticleSystem {
   /// A new particle p in the middle of e (see Triangulation::split_edge); bound if e is constrained.
   VertexId create_on_edge(EdgeId e, const Point& p);
 
+  /// A new free particle p in the triangle left of e (see Triangulation::split_face).
+  VertexId create_in_face(EdgeId e, const Point& p);
+
   /// Where a look-up of the metric near v starts well.
   MetricHint hint(VertexId v) const { return hint_[static_cast<std::size_t>(v)]; }
 
@@ -66,6 +69,7 @@ class ParticleSystem {
  private:
   void bind_to_segments();
   void fix_isolated_points();
+  VertexId take_in(VertexId v, VertexId near, Binding binding);
 
   Triangulation mesh_;
   const Domain* domain_;

@@ -6,14 +6,20 @@
 #include "adapt/io/any_geometry.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/io/evolution.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"
+#include "mesher/io/svg.h"
+#include "mesher/io/text.h"
 #include "mesher/metric/background_mesh.h"
+#include "mesher/metric/metric_samples.h"
 #include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
+#include "mesher/triangulation/voronoi.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/results.h"
+#include "tools/cli/thesis_options.h"
 
 namespace parmesan {
 namespace {
@@ -29,9 +35,10 @@ struct MeshArguments {
   std::string geometry;
   std::optional<double> size;
   std::string background, metric, from, hessian;
-  std::vector<std::string> outputs;
-  Preset preset = GenerateOptions{}.preset;
-  std::string schedule = "fast";
+  MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
+  std::vector<std::string> outputs, voronoi;
+  std::string evolution;
+  GenerateOptions mesher;
   bool repair = false;
   Requirements requirements;
   CommonOptions common;
@@ -58,7 +65,12 @@ struct Inputs {
 
 void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs& inputs) {
   const int n = background.num_vertices();
-  inputs.field = std::make_unique<BackgroundMesh>(background, read_metric_file(arguments.metric, n));
+  const std::vector<Metric> metrics = read_metric_file(arguments.metric, n);
+  inputs.field = std::make_unique<BackgroundMesh>(
+      background.triangles.empty() ? background_of_samples(background.points, metrics, arguments.interpolation)
+                                   : BackgroundMesh(background, metrics, arguments.interpolation));
+  if (!arguments.hessian.empty() && background.triangles.empty())
+    throw FileError(arguments.background, 0, "has no triangles, which --lower-error needs");
   if (!arguments.hessian.empty())
     inputs.hessian = std::make_unique<TensorInterpolant>(background, read_tensor_file(arguments.hessian, n));
 }
@@ -72,17 +84,21 @@ Inputs read_inputs(const MeshArguments& arguments) {
   } else if (arguments.background == arguments.from) {
     read_fields(*inputs.previous, arguments, inputs);
   } else {
-    read_fields(read_valid_mesh(arguments.background), arguments, inputs);
+    const Mesh background = read_mesh_file(arguments.background);
+    if (!background.triangles.empty()) validate(background);
+    read_fields(background, arguments, inputs);
   }
   return inputs;
 }
 
-GenerateOptions generate_options(const MeshArguments& arguments, const Inputs& inputs) {
-  GenerateOptions options;
-  options.preset = arguments.preset;
+GenerateOptions generate_options(const MeshArguments& arguments, const Inputs& inputs,
+                                 std::optional<EvolutionWriter>& evolution) {
+  GenerateOptions options = arguments.mesher;
   options.hessian = inputs.hessian.get();
   if (arguments.common.seed) options.seed = *arguments.common.seed;
   options.max_vertices = arguments.common.limits.vertices;
+  if (evolution)
+    options.observer = [&](const ParticleSystem& particles, std::int64_t step) { evolution->see(particles, step); };
   return options;
 }
 
@@ -109,16 +125,30 @@ bool meets(const Mesh& mesh, const MeshQuality& quality, const Requirements& req
   return holds("the lowest quality," + place + ",", quality.quality_min, requirements.quality) && unit;
 }
 
+// As a picture the cells' outlines are enough.
+void write_voronoi(const std::string& path, const Mesh& mesh) {
+  const Mesh cells = mesh_of(voronoi_diagram(mesh.points));
+  if (file_suffix(path) != ".svg") return write_mesh_file(path, cells);
+  SvgOptions options;
+  options.show_edges = false;
+  write_svg(path, cells, options);
+}
+
 ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
   for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
+  for (const std::string& output : arguments.voronoi) check_mesh_file_name(output);
   const Domain domain = arguments.repair ? read_repaired(arguments.geometry) : read_any_geometry(arguments.geometry);
   const Inputs inputs = read_inputs(arguments);
-  const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs),
+  std::optional<EvolutionWriter> evolution;
+  if (!arguments.evolution.empty()) evolution.emplace(arguments.evolution);
+  const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs, evolution),
                                          inputs.previous ? &*inputs.previous : nullptr);
   print_warnings(result.report.warnings);
   if (arguments.common.verbose) std::cerr << "complexity " << format_number(result.report.complexity) << std::endl;
   for (const std::string& output : arguments.outputs) write_mesh_file(output, result.mesh);
+  for (const std::string& output : arguments.voronoi) write_voronoi(output, result.mesh);
+  if (evolution) evolution->finish(result.mesh);
   const Diagnosis& diagnosis = result.report.diagnosis;
   if (!satisfies_metric(diagnosis)) print_warnings(sentences(diagnosis));
   if (arguments.common.quiet && !arguments.requirements.any()) return ExitCode::Done;
@@ -134,11 +164,20 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
                           ->check(CLI::PositiveNumber)
                           ->option_text("H");
   CLI::Option* background =
-      app.add_option("--background", arguments.background, "Mesh that carries the metric")->option_text("MESH");
+      app.add_option("--background", arguments.background,
+                     "Mesh that carries the metric; without triangles its vertices are samples, to be triangulated")
+          ->option_text("MESH");
   CLI::Option* metric =
       app.add_option("--metric", arguments.metric, "Medit metric at the background's vertices")->option_text("SOL");
   background->needs(metric)->excludes(size);
   metric->needs(background);
+  const std::map<std::string, MetricInterpolation> interpolations{{"log-euclidean", MetricInterpolation::LogEuclidean},
+                                                                  {"linear", MetricInterpolation::Linear}};
+  app.add_option("--interpolation", arguments.interpolation,
+                 "Of the background's metric: log-euclidean or linear [log-euclidean]")
+      ->transform(CLI::CheckedTransformer(interpolations))
+      ->needs(background)
+      ->option_text("NAME");
   app.add_option("--lower-error", arguments.hessian,
                  "Last, lower the L2 error of a function whose second derivatives these are, a Medit tensor field at "
                  "the background's vertices")
@@ -149,11 +188,8 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
 
 void add_mesher_options(CLI::App& app, MeshArguments& arguments) {
   const std::map<std::string, Preset> presets{{"fast", Preset::Fast}, {"mid", Preset::Mid}, {"good", Preset::Good}};
-  app.add_option("--preset", arguments.preset, "How much relaxation: fast, mid or good [good]")
+  app.add_option("--preset", arguments.mesher.preset, "How much relaxation: fast, mid or good [good]")
       ->transform(CLI::CheckedTransformer(presets))
-      ->option_text("NAME");
-  app.add_option("--schedule", arguments.schedule, "How particles are moved: fast [fast]")
-      ->check(CLI::IsMember({"fast"}))
       ->option_text("NAME");
   app.add_option_function<std::vector<std::string>>(
          "--require",
@@ -180,8 +216,17 @@ Command add_mesh_command(CLI::App& program) {
       ->take_all()
       ->allow_extra_args(false)
       ->option_text("FILE ...");
+  app->add_option("--voronoi", arguments->voronoi,
+                  "File for the Voronoi diagram of the vertices, cells as fans of triangles; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->option_text("FILE ...");
+  app->add_option("--evolution", arguments->evolution,
+                  "Folder for frames of the mesh as it is made and index.html, which plays them")
+      ->option_text("DIR");
   add_metric_options(*app, *arguments);
   add_mesher_options(*app, *arguments);
+  add_schedule_options(*app, arguments->mesher);
   add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan mesh domain.poly --size 0.05 -o domain.mesh -o domain.svg");

@@ -71,6 +71,12 @@ void print_mesh_summary(std::ostream& out, const GenerateResult& made, const Mes
       << " to " << format_number(quality.length_max) << ", quality mean " << format_number(quality.quality_mean)
       << ", min " << format_number(quality.quality_min) << "\n"
       << "started from " << words(made.report.start) << ": " << made.report.start_reason << "\n";
+  if (!made.report.thesis) return;
+  const ThesisReport& thesis = *made.report.thesis;
+  const double per_particle = static_cast<double>(thesis.picks) / made.mesh.num_vertices();
+  out << thesis.picks << " picks, " << format_number(per_particle) << " per particle; " << thesis.created
+      << " created, " << thesis.annihilated << " annihilated; "
+      << (thesis.settled ? "none is alive" : std::to_string(thesis.alive) + " are alive") << "\n";
 }
 
 }  // namespace parmesan

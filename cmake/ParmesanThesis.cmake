@@ -1,0 +1,7 @@
+# The target `thesis_experiments` (tools/thesis), which tools/thesis/reproduce runs.
+parmesan_sources(thesis_sources tools/thesis/*.cpp)
+add_executable(thesis_experiments ${thesis_sources})
+target_link_libraries(thesis_experiments PRIVATE parmesan_fem parmesan_mesher nlohmann_json::nlohmann_json)
+target_include_directories(thesis_experiments PRIVATE ${PROJECT_SOURCE_DIR})
+parmesan_compile_options(thesis_experiments)
+target_precompile_headers(thesis_experiments PRIVATE <nlohmann/json.hpp>)

@@ -1,0 +1,89 @@
+#include "mesher/particles/thesis_moves.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "mesher/triangulation/check.h"
+#include "mesher/triangulation/triangulate.h"
+#include "tests/support/domains.h"
+
+using namespace parmesan;
+
+namespace {
+
+/// Any particle that may move or go.
+VertexId random_movable(const ParticleSystem& particles, std::mt19937_64& engine) {
+  const Triangulation& mesh = particles.mesh();
+  for (int i = 0; i < 1000; ++i) {
+    const auto v = static_cast<VertexId>(engine() % static_cast<std::uint64_t>(mesh.num_slots()));
+    if (mesh.has_vertex(v) && particles.binding(v) != fixed_particle) return v;
+  }
+  return no_vertex;
+}
+
+EdgeId random_edge(const Triangulation& mesh, std::mt19937_64& engine) {
+  while (true) {
+    const auto q = static_cast<std::int32_t>(engine() % static_cast<std::uint64_t>(mesh.size()));
+    if (mesh.is_alive(q)) return {4 * q};
+  }
+}
+
+}  // namespace
+
+TEST_CASE("wild moves, creations and annihilations keep every triangulation valid", "[mesher][particles][thesis]") {
+  const Domain domain = support::square_with_everything();
+  const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.2 * p.x, 0.3, 2.0 * p.y); });
+  ParticleSystem particles(triangulate(domain), domain, field);
+  std::mt19937_64 engine(GENERATE(1, 2, 3));
+  const auto draw = [&] { return static_cast<double>(engine() % 20001) / 1e4 - 1.0; };
+  for (int i = 0; i < 3000; ++i) {
+    const VertexId v = random_movable(particles, engine);
+    const auto how = engine() % 2;
+    switch (v == no_vertex ? 0 : engine() % 3) {
+      case 0:
+        create_at(particles, random_edge(particles.mesh(), engine),
+                  how == 0 ? CreationPlace::EdgeMidpoint : CreationPlace::Circumcentre);
+        break;
+      case 1:
+        annihilate(particles, v, how == 0 ? Annihilation::Removal : Annihilation::Collapse);
+        break;
+      default:
+        relocate(particles, v, {draw(), draw()}, how == 0 ? Relocation::Reinsert : Relocation::InPlace);
+    }
+    if (i % 100 != 0) continue;
+    const auto problems = check(particles.mesh());
+    REQUIRE(problems == std::vector<std::string>{});
+    REQUIRE(check_constraints(particles.mesh(), domain) == std::vector<std::string>{});
+  }
+}
+
+TEST_CASE("a particle that is reinserted keeps its number, and goes where it was sent", "[mesher][particles][thesis]") {
+  const Domain domain = support::unit_square();
+  const ConstantField field(Metric::isotropic(0.1));
+  ParticleSystem particles(triangulate(domain), domain, field);
+  const VertexId v = create_at(particles, random_edge(particles.mesh(), *std::make_unique<std::mt19937_64>(1)),
+                               CreationPlace::Circumcentre);
+  REQUIRE(v != no_vertex);
+  if (!particles.is_free(v)) return;
+  const Point from = particles.mesh().point(v);
+  const Vector step{0.13, -0.21};
+  CHECK(relocate(particles, v, step, Relocation::Reinsert) == (from + step) - from);
+  CHECK(particles.mesh().point(v) == from + step);
+}
+
+TEST_CASE("bound particles stay on their slanted segment, free ones inside", "[mesher][particles][thesis]") {
+  Domain domain;
+  support::add_polygon(domain, {{0.1, 0.2}, {1.3, 0.5}, {0.9, 1.7}}, 1);
+  const ConstantField field(Metric::isotropic(0.3));
+  ParticleSystem particles(triangulate(domain), domain, field);
+  EdgeId first = no_edge;
+  for_each_spoke(particles.mesh(), 0, [&](EdgeId e) {
+    if (particles.mesh().dest(e) == 1) first = e;
+  });
+  const VertexId v = create_at(particles, first, CreationPlace::EdgeMidpoint);
+  for (int i = 0; i < 50; ++i) relocate(particles, v, {0.1, 0.4 * (i % 3 - 1)}, Relocation::Reinsert);
+  const Point& p = particles.mesh().point(v);
+  CHECK(std::abs(cross(p - domain.points[0], domain.points[1] - domain.points[0])) < 1e-15);
+  CHECK(p.x < 1.3);
+  CHECK(check(particles.mesh()) == std::vector<std::string>{});
+}
