@@ -117,8 +117,7 @@ Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh 
 Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mesh& start,
                        const GenerateOptions& options, GenerateReport& report) {
   ParticleSystem particles(from_mesh(start, start.labels), domain, field);
-  report.thesis =
-      run_thesis_schedule(particles, options.thesis, options.seed, options.max_vertices, options.observer);
+  report.thesis = run_thesis_schedule(particles, options.thesis, options.seed, options.max_vertices, options.observer);
   if (!report.thesis->settled) report.warnings.push_back(report.thesis->diagnosis);
   return taken_lower_in_error(particles, options.hessian);
 }

@@ -27,7 +27,7 @@ enum class Schedule { Fast, Thesis };
 struct GenerateOptions {
   Schedule schedule = Schedule::Fast;
   Preset preset = Preset::Good;            // of the fast schedule
-  ThesisOptions thesis;                    // of the thesis's schedule
+  ThesisOptions thesis = {};               // of the thesis's schedule
   std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
   std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
 
@@ -35,7 +35,7 @@ struct GenerateOptions {
   // L2 error of the function's interpolant falls, and stays a unit mesh: see ErrorDescent.
   const TensorField* hessian = nullptr;
 
-  MeshObserver observer;  // called while the mesh is made
+  MeshObserver observer = {};  // called while the mesh is made
 };
 
 /// What happened inside generate.

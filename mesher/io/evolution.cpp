@@ -83,8 +83,7 @@ void EvolutionWriter::add(const Mesh& mesh, std::int64_t step) {
 void EvolutionWriter::finish(const Mesh& last) {
   add(last, last_step_);
   std::vector<PvdEntry> entries;
-  for (std::size_t i = 0; i < steps_.size(); ++i)
-    entries.push_back({static_cast<double>(steps_[i]), frame_name(i)});
+  for (std::size_t i = 0; i < steps_.size(); ++i) entries.push_back({static_cast<double>(steps_[i]), frame_name(i)});
   write_pvd(folder_ + "/evolution.pvd", entries);
   OutputFile page(folder_ + "/index.html");
   page << evolution_page_head << frames_ << evolution_page_tail;

@@ -32,7 +32,8 @@ enum class EdgeDistance {
   MeanMetric     // 5.8
 };
 
-/// How a free particle goes to its new place: it is removed and inserted there (3.1.3), or moved as far as the star allows.
+/// How a free particle goes to its new place: it is removed and inserted there (3.1.3), or moved as far as the star
+/// allows.
 enum class Relocation { Reinsert, InPlace };
 
 /// Where a particle is created on an edge that is split, or in the larger of its triangles.
@@ -81,10 +82,9 @@ inline constexpr std::array<OptionName<Neighbourhood>, 3> neighbourhood_names{
     {{"n1", Neighbourhood::N1}, {"n2", Neighbourhood::N2}, {"radius", Neighbourhood::Radius}}};
 inline constexpr std::array<OptionName<Force>, 2> force_names{
     {{"gradient", Force::Gradient}, {"along-edge", Force::AlongEdge}}};
-inline constexpr std::array<OptionName<EdgeDistance>, 3> distance_names{
-    {{"linear-metric", EdgeDistance::LinearMetric},
-     {"mean-length", EdgeDistance::MeanLength},
-     {"mean-metric", EdgeDistance::MeanMetric}}};
+inline constexpr std::array<OptionName<EdgeDistance>, 3> distance_names{{{"linear-metric", EdgeDistance::LinearMetric},
+                                                                         {"mean-length", EdgeDistance::MeanLength},
+                                                                         {"mean-metric", EdgeDistance::MeanMetric}}};
 inline constexpr std::array<OptionName<Relocation>, 2> relocation_names{
     {{"reinsert", Relocation::Reinsert}, {"in-place", Relocation::InPlace}}};
 inline constexpr std::array<OptionName<CreationPlace>, 2> creation_names{

@@ -26,8 +26,7 @@ struct Event {
 
 class ThesisSchedule {
  public:
-  ThesisSchedule(ParticleSystem& particles, const ThesisOptions& options, std::uint64_t seed,
-                 std::int64_t max_vertices)
+  ThesisSchedule(ParticleSystem& particles, const ThesisOptions& options, std::uint64_t seed, std::int64_t max_vertices)
       : particles_(particles),
         options_(options),
         max_vertices_(max_vertices),
@@ -61,7 +60,7 @@ class ThesisSchedule {
   NeighbourSearch neighbours_;
   double step_;
   ThesisReport report_;
-  std::deque<Event> events_;      // the last ones
+  std::deque<Event> events_;     // the last ones
   std::vector<VertexId> queue_;  // for picks along the curve: what is left of a sweep, the next one last
 };
 
@@ -146,7 +145,8 @@ void ThesisSchedule::diagnose() {
     const auto num_near = [&](const Event& event) {
       MetricHint hint = -1;
       const Metric m = particles_.evaluate(event.place, hint);
-      return std::ranges::count_if(events_, [&](const Event& other) { return m.length(other.place - event.place) < 2; });
+      return std::ranges::count_if(events_,
+                                   [&](const Event& other) { return m.length(other.place - event.place) < 2; });
     };
     report_.unrest = std::ranges::max_element(events_, {}, num_near)->place;
     text << "they are created and annihilated in turn";
@@ -156,8 +156,7 @@ void ThesisSchedule::diagnose() {
 }
 
 bool ThesisSchedule::is_over() const {
-  return alive_.empty() ||
-         static_cast<double>(report_.picks) >= options_.max_picks * particles_.mesh().num_vertices();
+  return alive_.empty() || static_cast<double>(report_.picks) >= options_.max_picks * particles_.mesh().num_vertices();
 }
 
 // A sweep has those alive when it begins; who has died before its turn is left out.

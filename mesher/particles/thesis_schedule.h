@@ -15,10 +15,10 @@ struct ThesisReport {
   std::int64_t picks = 0;
   std::int64_t created = 0;
   std::int64_t annihilated = 0;
-  std::int64_t alive = 0;                         // when it ended
+  std::int64_t alive = 0;                          // when it ended
   std::int64_t lately_created_or_annihilated = 0;  // in the last tenth of the picks
-  Point unrest;                                   // where, when not settled, population or motion goes on most
-  std::string diagnosis;                          // one sentence when not settled
+  Point unrest;                                    // where, when not settled, population or motion goes on most
+  std::string diagnosis;                           // one sentence when not settled
 };
 
 /// F. Bossen's algorithm as it was written (CMU-CS-96-134, 3.1.3, 3.4.3, 3.5, 5.5).

@@ -13,8 +13,8 @@ struct InCirclePoint {
 
 /// By center and radius: 15 multiplications, 19 additions, 2 divisions.
 template <class Number>
-bool in_circle_by_center(const InCirclePoint<Number>& a, const InCirclePoint<Number>& b,
-                         const InCirclePoint<Number>& i, const InCirclePoint<Number>& j) {
+bool in_circle_by_center(const InCirclePoint<Number>& a, const InCirclePoint<Number>& b, const InCirclePoint<Number>& i,
+                         const InCirclePoint<Number>& j) {
   const Number n1x = a.x - i.x, n1y = a.y - i.y;
   const Number n2x = b.x - i.x, n2y = b.y - i.y;
   const Number c1 = (a.x + i.x) * n1x + (a.y + i.y) * n1y;
@@ -39,8 +39,8 @@ bool in_circle_by_lifting(const InCirclePoint<Number>& a, const InCirclePoint<Nu
 
 /// By the sum of the angles at i and j (2.9): 10 multiplications, 13 additions.
 template <class Number>
-bool in_circle_by_angles(const InCirclePoint<Number>& a, const InCirclePoint<Number>& b,
-                         const InCirclePoint<Number>& i, const InCirclePoint<Number>& j) {
+bool in_circle_by_angles(const InCirclePoint<Number>& a, const InCirclePoint<Number>& b, const InCirclePoint<Number>& i,
+                         const InCirclePoint<Number>& j) {
   const Number ax = j.x - a.x, ay = j.y - a.y, bx = i.x - a.x, by = i.y - a.y;
   const Number cx = i.x - b.x, cy = i.y - b.y, dx = j.x - b.x, dy = j.y - b.y;
   return (ax * by - ay * bx) * (cx * dx + cy * dy) + (cx * dy - cy * dx) * (ax * bx + ay * by) > Number(0.0);

@@ -20,10 +20,13 @@ Polygon rectangle_around(std::span<const Point> sites, double margin) {
   return {{low.x - m, low.y - m}, {high.x + m, low.y - m}, {high.x + m, high.y + m}, {low.x - m, high.y + m}};
 }
 
-// Keeps what is nearer to p than to q.
+// Keeps what is nearer to p than to q. Where four sites are cocircular the diagonal's bisector only touches a corner:
+// what rounding would cut off there stays.
 Polygon cut(const Polygon& cell, const Point& p, const Point& q) {
   const Point middle = midpoint(p, q);
+  const double rounding = 1e-12 * squared_norm(q - p);
   const auto excess = [&](const Point& x) { return dot(x - middle, q - p); };
+  if (std::ranges::none_of(cell, [&](const Point& x) { return excess(x) > rounding; })) return cell;
   Polygon kept;
   for (std::size_t i = 0; i < cell.size(); ++i) {
     const Point& a = cell[i];

@@ -107,6 +107,38 @@ TEST_CASE("mesher.lower_error is read", "[adapt][case]") {
             .lower_error);
 }
 
+TEST_CASE("the thesis's schedule and its parameters are read", "[adapt][case]") {
+  const GenerateOptions plain = parse_case(case_text(kZeroBoundary), "a.json").mesher;
+  CHECK(plain.schedule == Schedule::Fast);
+  CHECK(plain.thesis.potential == ThesisOptions{}.potential);
+  CHECK(plain.thesis.max_picks == ThesisOptions{}.max_picks);
+  const GenerateOptions read = parse_case(case_text(kZeroBoundary, R"(, "mesher": {"schedule": "thesis", "thesis": {
+      "potential": "shimada", "decay": 2, "neighbourhood": "radius", "radius": 1.8, "force": "gradient",
+      "distance": "linear-metric", "step": 0.1, "momentum": 0.5, "alive_speed": 0.02, "virtual_triangles": false,
+      "creation": "circumcentre", "annihilation": "collapse", "relocation": "in-place", "picking": "hilbert",
+      "max_picks": 50}})"),
+                                          "a.json")
+                                   .mesher;
+  CHECK(read.schedule == Schedule::Thesis);
+  CHECK(read.thesis.potential == PotentialKind::Shimada);
+  CHECK(read.thesis.decay == 2.0);
+  CHECK(read.thesis.neighbourhood == Neighbourhood::Radius);
+  CHECK(read.thesis.radius == 1.8);
+  CHECK(read.thesis.force == Force::Gradient);
+  CHECK(read.thesis.distance == EdgeDistance::LinearMetric);
+  CHECK(read.thesis.step == 0.1);
+  CHECK(read.thesis.momentum == 0.5);
+  CHECK(read.thesis.alive_speed == 0.02);
+  CHECK_FALSE(read.thesis.virtual_triangles);
+  CHECK(read.thesis.creation == CreationPlace::Circumcentre);
+  CHECK(read.thesis.annihilation == Annihilation::Collapse);
+  CHECK(read.thesis.relocation == Relocation::InPlace);
+  CHECK(read.thesis.picking == Picking::Hilbert);
+  CHECK(read.thesis.max_picks == 50.0);
+  CHECK_THAT(issue_text(case_text(kZeroBoundary, R"(, "mesher": {"thesis": {"potential": "shimda"}})")),
+             Catch::Contains("did you mean 'shimada'"));
+}
+
 TEST_CASE("Overrides replace and add values by JSON pointer", "[adapt][case]") {
   const Case c = parse_case(case_text(kZeroBoundary, R"(, "targets": {"max_iterations": 4})"), "a.json",
                             {{"/targets/max_iterations", "7"},

@@ -26,7 +26,7 @@ TEST_CASE("wrong usage ends with 2 and one message on standard error", "[system]
   const std::vector<std::string> arguments =
       GENERATE(std::vector<std::string>{}, std::vector<std::string>{"meshh"}, std::vector<std::string>{"run"},
                std::vector<std::string>{"run", "a.json", "--no-such-option"},
-               std::vector<std::string>{"mesh", "a.poly"}, std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh"},
+               std::vector<std::string>{"mesh", "a.poly"},
                std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "-1"},
                std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--background", "b.mesh"},
                std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--preset", "best"},

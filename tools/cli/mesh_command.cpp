@@ -12,6 +12,8 @@
 #include "mesher/io/svg.h"
 #include "mesher/io/text.h"
 #include "mesher/metric/background_mesh.h"
+#include "mesher/metric/boundary_alignment.h"
+#include "mesher/metric/feature_size.h"
 #include "mesher/metric/metric_samples.h"
 #include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
@@ -33,7 +35,7 @@ struct Requirements {
 
 struct MeshArguments {
   std::string geometry;
-  std::optional<double> size;
+  std::optional<double> size, align;
   std::string background, metric, from, hessian;
   MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
   std::vector<std::string> outputs, voronoi;
@@ -56,11 +58,14 @@ void set_requirement(Requirements& requirements, const std::string& text) {
   }
 }
 
-/// The metric asked for, the Hessian of a function whose error is to be lowered, and the mesh to start from.
+/// The metric asked for, the same turned along boundaries, the Hessian of a function whose error is to be lowered, and
+/// the mesh to start from.
 struct Inputs {
-  std::unique_ptr<MetricField> field;
+  std::unique_ptr<MetricField> field, aligned;
   std::unique_ptr<TensorField> hessian;
   std::optional<Mesh> previous;
+
+  const MetricField& metric() const { return aligned ? *aligned : *field; }
 };
 
 void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs& inputs) {
@@ -76,11 +81,13 @@ void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs&
 }
 
 // The background mesh is often the previous one: then it is read only once.
-Inputs read_inputs(const MeshArguments& arguments) {
+Inputs read_inputs(const MeshArguments& arguments, const Domain& domain) {
   Inputs inputs;
   if (!arguments.from.empty()) inputs.previous = read_valid_mesh(arguments.from);
   if (arguments.size) {
     inputs.field = std::make_unique<ConstantField>(Metric::isotropic(*arguments.size));
+  } else if (arguments.background.empty()) {
+    inputs.field = std::make_unique<BackgroundMesh>(feature_size_field(domain));
   } else if (arguments.background == arguments.from) {
     read_fields(*inputs.previous, arguments, inputs);
   } else {
@@ -88,6 +95,7 @@ Inputs read_inputs(const MeshArguments& arguments) {
     if (!background.triangles.empty()) validate(background);
     read_fields(background, arguments, inputs);
   }
+  if (arguments.align) inputs.aligned = std::make_unique<BoundaryAlignedField>(*inputs.field, domain, *arguments.align);
   return inputs;
 }
 
@@ -139,10 +147,10 @@ ExitCode mesh(const MeshArguments& arguments) {
   for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
   for (const std::string& output : arguments.voronoi) check_mesh_file_name(output);
   const Domain domain = arguments.repair ? read_repaired(arguments.geometry) : read_any_geometry(arguments.geometry);
-  const Inputs inputs = read_inputs(arguments);
+  const Inputs inputs = read_inputs(arguments, domain);
   std::optional<EvolutionWriter> evolution;
   if (!arguments.evolution.empty()) evolution.emplace(arguments.evolution);
-  const GenerateResult result = generate(domain, *inputs.field, generate_options(arguments, inputs, evolution),
+  const GenerateResult result = generate(domain, inputs.metric(), generate_options(arguments, inputs, evolution),
                                          inputs.previous ? &*inputs.previous : nullptr);
   print_warnings(result.report.warnings);
   if (arguments.common.verbose) std::cerr << "complexity " << format_number(result.report.complexity) << std::endl;
@@ -160,7 +168,8 @@ ExitCode mesh(const MeshArguments& arguments) {
 }
 
 void add_metric_options(CLI::App& app, MeshArguments& arguments) {
-  CLI::Option* size = app.add_option("--size", arguments.size, "Uniform size of the triangles, in the geometry's unit")
+  CLI::Option* size = app.add_option("--size", arguments.size,
+                                     "Uniform size of the triangles, in the geometry's unit [sizes from the geometry]")
                           ->check(CLI::PositiveNumber)
                           ->option_text("H");
   CLI::Option* background =
@@ -183,6 +192,9 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
                  "the background's vertices")
       ->needs(background)
       ->option_text("SOL");
+  app.add_option("--align-boundary", arguments.align, "Turn the metric along segments nearer than so many unit edges")
+      ->check(CLI::PositiveNumber)
+      ->option_text("REACH");
   app.add_option("--from", arguments.from, "Start from the particles of this mesh")->option_text("MESH");
 }
 
@@ -230,11 +242,6 @@ Command add_mesh_command(CLI::App& program) {
   add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan mesh domain.poly --size 0.05 -o domain.mesh -o domain.svg");
-  app->final_callback([arguments] {
-    if (!arguments->size && arguments->background.empty()) {
-      throw CLI::RequiredError("one of --size and --background with --metric");
-    }
-  });
   return {app, [arguments] { return mesh(*arguments); }};
 }
 

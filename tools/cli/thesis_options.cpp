@@ -49,16 +49,19 @@ void add_schedule_options(CLI::App& command, GenerateOptions& options) {
   add_number(command, "--radius", thesis.radius, {1.0, 10.0}, "In unit edges, for --neighbourhood radius [1.5]");
   add_choice(command, "--force", thesis.force, force_names, "5.15 or 5.16");
   add_choice(command, "--distance", thesis.distance, distance_names, "5.6, 5.7 or 5.8");
-  add_number(command, "--step", thesis.step, {0.0, 10.0}, "delta of 3.12 [0: Newton's step on the hexagonal lattice]");
+  add_number(command, "--step", thesis.step, {0.0, 10.0}, "delta of 3.12 [0: Newton's on the hexagonal lattice]");
   add_number(command, "--momentum", thesis.momentum, {0.0, 0.99}, "beta of 3.13 [0: first order]");
-  add_number(command, "--alive-speed", thesis.alive_speed, {1e-9, 0.99}, "Slower particles die, in unit edges per pick [0.01]");
+  add_number(command, "--alive-speed", thesis.alive_speed, {1e-9, 0.99},
+             "Slower particles die, in unit edges per pick [0.01]");
   add_choice(command, "--creation", thesis.creation, creation_names, "Where particles are created");
   add_choice(command, "--annihilation", thesis.annihilation, annihilation_names, "How particles go");
   add_choice(command, "--relocation", thesis.relocation, relocation_names, "How particles move");
   add_choice(command, "--picking", thesis.picking, picking_names, "Who is picked (3.5)");
   add_number(command, "--max-picks", thesis.max_picks, {1.0, 1e9}, "Most picks per particle [400]");
   command
-      .add_flag("!--no-virtual-triangles", thesis.virtual_triangles, "Without them in the creation rule (3.4.2)")
+      .add_flag_callback(
+          "--no-virtual-triangles", [&thesis] { thesis.virtual_triangles = false; },
+          "Without them in the creation rule (3.4.2)")
       ->group(group);
 }
 

@@ -56,7 +56,8 @@ Item background_mesh(const Setting& setting) {
   item.add_picture("fig_5_3.svg", "uniform: " + std::to_string(uniform.mesh.num_vertices()) + " particles");
   item.add_picture("fig_5_4.svg", "anisotropic: " + std::to_string(anisotropic.mesh.num_vertices()) + " particles");
   item.add_picture("fig_5_5.svg", "background mesh: " + std::to_string(samples.points.size()) + " samples");
-  const std::string why = "domain and background mesh are not given: ours asks for the uniform size across a curved shock";
+  const std::string why =
+      "domain and background mesh are not given: ours asks for the uniform size across a curved shock";
   item.add("particles, uniform", 2865, uniform.vertices(), why);
   item.add("particles, anisotropic", 229, anisotropic.vertices(), why);
   item.add("uniform over anisotropic", 12.5, uniform.vertices() / anisotropic.vertices(), why,
@@ -89,9 +90,9 @@ Item forces(const Setting& setting) {
       settled[k] += made.report->settled ? 1.0 / runs : 0.0;
     }
   }
-  item.add_table("The Gaussian of 5.6.1", {"force", "seed", "particles", "mean quality", "lowest", "unit edges, %",
-                                           "picks per particle", "settled"},
-                 rows);
+  item.add_table(
+      "The Gaussian of 5.6.1",
+      {"force", "seed", "particles", "mean quality", "lowest", "unit edges, %", "picks per particle", "settled"}, rows);
   item.add("share of runs with 5.15 that settle", nullptr, settled[0],
            "5.15 turns edges towards the eigenvectors of the metric (5.3): particles that find no such place go on");
   item.add("share of runs with 5.16 that settle", nullptr, settled[1], "", {.min = 1.0});

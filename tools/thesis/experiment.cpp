@@ -1,11 +1,16 @@
 #include "tools/thesis/experiment.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <numbers>
 
 #include "mesher/io/svg.h"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 namespace parmesan::thesis {
 
@@ -44,14 +49,22 @@ void Item::add_chart(const std::string& title, std::vector<std::string> columns,
 void Item::add_note(const std::string& text) { json_["notes"].push_back(text); }
 
 Run run(const Domain& domain, const MetricField& field, const GenerateOptions& options, const Mesh* previous) {
+  const auto begin = std::chrono::steady_clock::now();
   const std::clock_t start = std::clock();
   GenerateResult made = generate(domain, field, options, previous);
   Run result;
   result.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  result.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.quality = measure_quality(made.mesh, made.metrics);
   result.mesh = std::move(made.mesh);
   result.report = std::move(made.report.thesis);
   return result;
+}
+
+void use_threads([[maybe_unused]] int count) {
+#ifdef _OPENMP
+  omp_set_num_threads(count > 0 ? count : omp_get_num_procs());
+#endif
 }
 
 GenerateOptions as_written(const ThesisOptions& thesis, std::uint64_t seed) {

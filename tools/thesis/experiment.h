@@ -32,12 +32,13 @@ class Item {
 
   /// One number: what it is, the thesis's (null where it gives none), ours, and why they differ.
   void add(const std::string& what, const Json& of_thesis, double ours, const std::string& why = "", Law law = {});
-  void add_table(const std::string& title, std::vector<std::string> columns, const std::vector<std::vector<Json>>& rows);
+  void add_table(const std::string& title, std::vector<std::string> columns,
+                 const std::vector<std::vector<Json>>& rows);
   /// A picture in the folder, by its file name.
   void add_picture(const std::string& file, const std::string& caption);
   /// Columns of a table to be drawn over its first one; both axes logarithmic or not.
-  void add_chart(const std::string& title, std::vector<std::string> columns, const std::vector<std::vector<double>>& rows,
-                 bool logarithmic);
+  void add_chart(const std::string& title, std::vector<std::string> columns,
+                 const std::vector<std::vector<double>>& rows, bool logarithmic);
   void add_note(const std::string& text);
   const Json& json() const { return json_; }
 
@@ -51,6 +52,7 @@ struct Run {
   MeshQuality quality;
   std::optional<ThesisReport> report;  // of the thesis's schedule
   double seconds = 0.0;                // CPU
+  double elapsed = 0.0;                // seconds by the clock
 
   double vertices() const { return mesh.num_vertices(); }
   double triangles() const { return mesh.num_triangles(); }
@@ -59,6 +61,9 @@ struct Run {
 
 /// Meshes and measures. Throws where the mesh is not valid (generate does).
 Run run(const Domain& domain, const MetricField& field, const GenerateOptions& options, const Mesh* previous = nullptr);
+
+/// How many threads meshing uses from here on; 0: one for each core. One at the start, for times are compared.
+void use_threads(int count);
 
 /// The thesis's schedule with these parameters.
 GenerateOptions as_written(const ThesisOptions& thesis = {}, std::uint64_t seed = 1);

@@ -9,20 +9,23 @@
 namespace parmesan::thesis {
 namespace {
 
-constexpr double floor_of_eigenvalues = 0.01;  // the largest is 1, at the center
+// Of the eigenvalues; the largest is 1, at the center. The thesis says no number. The metric for L2 is raised where the
+// determinant is small and needs a lower one: measured at 16 000 particles, 2.97 with 0.01, 3.07 with 0.001.
+constexpr double floor_as_written = 0.01;
+constexpr double floor_for_l2 = 0.001;
 
 struct GaussianHessian {
   Eigen2 absolute;
   bool is_negative = false;  // det H < 0
 };
 
-GaussianHessian hessian_at(const Point& p, const Point& center) {
+GaussianHessian hessian_at(const Point& p, const Point& center, double floor) {
   const Vector d = p - center;
   const double f = gaussian_at(p, center);
   Eigen2 e = eigen_decomposition({(d.x * d.x - 1.0) * f, d.x * d.y * f, (d.y * d.y - 1.0) * f});
   const bool is_negative = e.l1 * e.l2 < 0.0;
-  e.l1 = std::max(std::abs(e.l1), floor_of_eigenvalues);
-  e.l2 = std::max(std::abs(e.l2), floor_of_eigenvalues);
+  e.l1 = std::max(std::abs(e.l1), floor);
+  e.l2 = std::max(std::abs(e.l2), floor);
   return {e, is_negative};
 }
 
@@ -58,13 +61,13 @@ double gaussian_at(const Point& p, const Point& center) { return std::exp(-0.5 *
 
 std::unique_ptr<MetricField> metric_of_thesis(double factor, const Point& center) {
   return std::make_unique<CallableField>([factor, center](const Point& p) {
-    return Metric::from_tensor(factor * compose(hessian_at(p, center).absolute));
+    return Metric::from_tensor(factor * compose(hessian_at(p, center, floor_as_written).absolute));
   });
 }
 
 std::unique_ptr<MetricField> metric_for_l2(double factor) {
   return std::make_unique<CallableField>([factor](const Point& p) {
-    const GaussianHessian h = hessian_at(p, {});
+    const GaussianHessian h = hessian_at(p, {}, floor_for_l2);
     const double scale = std::pow(h.absolute.l1 * h.absolute.l2, -1.0 / 6.0) * (h.is_negative ? 0.5 : 1.0);
     return Metric::from_tensor(factor * scale * compose(h.absolute));
   });
@@ -119,7 +122,8 @@ Item gaussian(const Setting& setting) {
       {"unadapted", &unadapted}, {"adapted", &adapted}, {"ours", &fast}};
   for (const auto& [name, made] : all) {
     draw(setting, "fig_5_2_" + name + ".svg", made->mesh);
-    item.add_picture("fig_5_2_" + name + ".svg", name + ": " + std::to_string(made->mesh.num_vertices()) + " particles");
+    item.add_picture("fig_5_2_" + name + ".svg",
+                     name + ": " + std::to_string(made->mesh.num_vertices()) + " particles");
   }
   const double rms = scaled_error(unadapted) / scaled_error(adapted);
   const double ours = scaled_error(unadapted) / scaled_error(fast);
@@ -135,8 +139,9 @@ Item gaussian(const Setting& setting) {
   item.add("unit edges as written, adapted, %", nullptr, 100.0 * adapted.quality.unit_edges);
   item.add("mean quality as written, adapted", nullptr, adapted.quality.quality_mean);
   item.add("settled, adapted (1) or not (0)", 1, adapted.report->settled ? 1.0 : 0.0, "", {.min = 1.0});
-  item.add_note("Errors are compared at equal numbers of triangles: each is multiplied by its mesh's number. Eigenvalues "
-                "are at least 0.01 of the largest; the thesis limits them without saying to what.");
+  item.add_note(
+      "Errors are compared at equal numbers of triangles: each is multiplied by its mesh's number. Eigenvalues "
+      "are at least 0.01 of the largest (0.001 in our metric); the thesis limits them without saying to what.");
   return item;
 }
 

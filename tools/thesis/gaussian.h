@@ -14,7 +14,7 @@ double gaussian_at(const Point& p, const Point& center = {});
 std::unique_ptr<MetricField> metric_of_thesis(double factor, const Point& center = {});
 
 /// The metric that is best for the L2 error: det(|H|)^(-1/6) |H|, halved where det H < 0 (Loseille and Alauzet 2011,
-/// and the sign's factor), times a factor.
+/// and the sign's factor), times a factor; eigenvalues at least 0.001 of the largest.
 std::unique_ptr<MetricField> metric_for_l2(double factor);
 
 /// L2 norm of the error of linear interpolation of the Gaussian, by quadrature of degree 6 on four parts per triangle.

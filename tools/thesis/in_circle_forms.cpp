@@ -121,8 +121,7 @@ Item in_circle_forms(const Setting& setting) {
   check("circle", center, {15, 19, 2});
   check("convex hull", lifting, {15, 14, 0});
   check("angles", angles, {10, 13, 0});
-  item.add_table("Time of one test, in a loop over 10 000 random quadrilaterals",
-                 {"form", "ns", "of the angle form"},
+  item.add_table("Time of one test, in a loop over 10 000 random quadrilaterals", {"form", "ns", "of the angle form"},
                  {{"circle", center.nanoseconds, center.nanoseconds / angles.nanoseconds},
                   {"convex hull", lifting.nanoseconds, lifting.nanoseconds / angles.nanoseconds},
                   {"angles", angles.nanoseconds, 1.0}});

@@ -1,13 +1,10 @@
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <iostream>
-#include <map>
+#include <stdexcept>
 
 #include "tools/thesis/experiment.h"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace {
 
@@ -15,10 +12,12 @@ using namespace parmesan::thesis;
 
 // In the order of the thesis.
 const std::vector<std::pair<std::string, Item (*)(const Setting&)>> experiments{
-    {"evolution", evolution},         {"in_circle", in_circle_forms}, {"table_2_1", table_2_1},
-    {"uniform", uniform_square},      {"potentials", potentials},     {"gaussian", gaussian},
-    {"background", background_mesh},  {"forces", forces},             {"running_time", running_time},
-    {"picking_order", picking_order}, {"remeshing", remeshing},       {"population", population},
+    {"evolution", evolution},        {"in_circle", in_circle_forms},
+    {"table_2_1", table_2_1},        {"uniform", uniform_square},
+    {"potentials", potentials},      {"gaussian", gaussian},
+    {"background", background_mesh}, {"forces", forces},
+    {"running_time", running_time},  {"picking_order", picking_order},
+    {"remeshing", remeshing},        {"population", population},
     {"oscillation", oscillation}};
 
 }  // namespace
@@ -36,9 +35,7 @@ int main(int argc, char** argv) {
       else
         names.push_back(words[i]);
     }
-#ifdef _OPENMP
-    omp_set_num_threads(1);  // times are compared
-#endif
+    use_threads(1);
     for (const auto& [name, experiment] : experiments) {
       if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
       const auto start = std::chrono::steady_clock::now();

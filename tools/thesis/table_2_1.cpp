@@ -39,8 +39,7 @@ WalkTotals totals_of_insertions(int n, unsigned seed) {
     add(totals.guibas, guibas.counts);
     add(totals.bossen, bossen.counts);
     last = insert_site(t, p, bossen.edge);
-    if (insert_site(t, p, guibas.edge) != last)
-      throw MeshingError("the two walks end in different places");
+    if (insert_site(t, p, guibas.edge) != last) throw MeshingError("the two walks end in different places");
   }
   return totals;
 }
@@ -50,9 +49,8 @@ WalkTotals totals_of_insertions(int n, unsigned seed) {
 Item table_2_1(const Setting& setting) {
   Item item("table_2_1", "Table 2.1: calls per location of a site, Guibas and Stolfi's walk and Bossen's");
   const std::vector<std::vector<double>> printed{
-      {207.8, 90.7, 2.29, 657, 277, 2.37},  {167.7, 78.1, 2.15, 531, 243, 2.18},
-      {126.1, 44.1, 2.86, 403, 137, 2.94},  {80.1, 43.6, 1.84, 251, 137, 1.83},
-      {83.9, 39.1, 2.15, 265, 122, 2.17},   {83.9, 39.1, 2.15, 265, 122, 2.17},
+      {207.8, 90.7, 2.29, 657, 277, 2.37},  {167.7, 78.1, 2.15, 531, 243, 2.18},  {126.1, 44.1, 2.86, 403, 137, 2.94},
+      {80.1, 43.6, 1.84, 251, 137, 1.83},   {83.9, 39.1, 2.15, 265, 122, 2.17},   {83.9, 39.1, 2.15, 265, 122, 2.17},
       {0.52, 0.62, 0.84, 0.40, 0.62, 0.65}, {374.5, 166.5, 2.25, 1183, 519, 2.27}};
   const std::vector<std::string> names{"RightOf", "Point =", "Onext", "Dprev", "Org", "Dest", "Sym", "Total"};
   const std::vector<int> sizes = setting.quick ? std::vector<int>{1000, 10000} : std::vector<int>{10000, 100000};
@@ -72,18 +70,20 @@ Item table_2_1(const Setting& setting) {
       for (std::size_t c = 0; c < 3; ++c)
         rows[k].push_back(sizes[s] >= 10000 ? Json(printed[k][(sizes[s] == 100000 ? 3 : 0) + c]) : Json());
     }
-    const double ratio = static_cast<double>(totals.guibas.topological()) / static_cast<double>(totals.bossen.topological());
+    const double ratio =
+        static_cast<double>(totals.guibas.topological()) / static_cast<double>(totals.bossen.topological());
     const Json of_thesis = sizes[s] == 10000 ? Json(2.25) : (sizes[s] == 100000 ? Json(2.27) : Json());
     item.add("ratio of all topological calls, " + std::to_string(sizes[s]) + " sites", of_thesis, ratio,
-             "the sites and the edge that walks start from are not given there", {.min = 2.0});
+             "random sites differ; the edge that walks start from is not given there", {.min = 2.0});
   }
   std::vector<std::string> columns{"procedure"};
   for (const int n : sizes)
     for (const char* which : {"Guibas", "Bossen", "ratio", "Guibas, thesis", "Bossen, thesis", "ratio, thesis"})
       columns.push_back(std::string(which) + " (" + std::to_string(n) + ")");
   item.add_table("Calls per location", columns, rows);
-  item.add_note("Sites are uniform in a square and inserted one by one into a triangle around it; every location starts "
-                "at the site inserted before.");
+  item.add_note(
+      "Sites are uniform in a square and inserted one by one into a triangle around it; every location starts "
+      "at the site inserted before.");
   return item;
 }
 

@@ -11,7 +11,8 @@ namespace {
 Domain plate() {
   Domain domain = polygon({{0, 0}, {1.6, 0}, {1.6, 0.5}, {1.05, 0.5}, {1.05, 0.75}, {1.6, 0.75}, {1.6, 1.2}, {0, 1.2}});
   const int first = static_cast<int>(domain.points.size());
-  for (const Point& p : {Point{0.3, 0.45}, Point{0.5, 0.3}, Point{0.7, 0.5}, Point{0.5, 0.8}}) domain.points.push_back(p);
+  for (const Point& p : {Point{0.3, 0.45}, Point{0.5, 0.3}, Point{0.7, 0.5}, Point{0.5, 0.8}})
+    domain.points.push_back(p);
   for (int i = 0; i < 4; ++i) domain.segments.push_back({first + i, first + (i + 1) % 4, 9});
   domain.holes.push_back({0.5, 0.5});
   return domain;
@@ -64,7 +65,8 @@ Item uniform_square(const Setting& setting) {
   item.add("settled (1) or not (0)", 1, made.report->settled ? 1.0 : 0.0, "", {.min = 1.0});
   item.add("picks per particle", nullptr, made.picks_per_particle(), "the threshold of being alive is not given",
            {.max = 40.0});
-  item.add("unit edges, %", nullptr, 100.0 * made.quality.unit_edges, "only histograms are printed", {.min = setting.quick ? 99.0 : 99.5});
+  item.add("unit edges, %", nullptr, 100.0 * made.quality.unit_edges, "only histograms are printed",
+           {.min = setting.quick ? 99.0 : 99.5});
   item.add("mean quality", nullptr, made.quality.quality_mean, "", {.min = 0.97});
   item.add("smallest angle, degrees", nullptr, made.quality.angle_min);
   item.add("CPU seconds", nullptr, made.seconds);
@@ -95,13 +97,15 @@ Item potentials(const Setting& setting) {
       }
     }
   }
-  item.add_table("Unit square", {"potential", "neighbourhood", "order", "mean quality", "lowest", "unit edges, %",
-                                 "particles", "picks per particle", "settled"},
+  item.add_table("Unit square",
+                 {"potential", "neighbourhood", "order", "mean quality", "lowest", "unit edges, %", "particles",
+                  "picks per particle", "settled"},
                  rows);
   item.add("mean quality, 3.20 over N1, first order, of the best potential's", nullptr, of_approximation / best,
            "the thesis calls Lennard-Jones-like schemes best, without numbers", {.min = 0.97});
-  item.add_note("Second order is beta = 0.9 with a tenth of the step, so that a steady force moves particles as far; a "
-                "run that has not settled was stopped at the cap on picks.");
+  item.add_note(
+      "Second order is beta = 0.9 with a tenth of the step, so that a steady force moves particles as far; a "
+      "run that has not settled was stopped at the cap on picks.");
   return item;
 }
 

@@ -66,7 +66,8 @@ TEST_CASE("Newton's step brings a displaced particle of the lattice back", "[mes
   NeighbourSearch search(options);
   const Vector off{1e-4, -2e-4};
   particles.move(lattice.center, off);
-  const Vector step = std::numbers::e / 24 * force_on(particles, lattice.center, search.of(particles, lattice.center), options);
+  const Vector step =
+      std::numbers::e / 24 * force_on(particles, lattice.center, search.of(particles, lattice.center), options);
   CHECK(norm(off + step) < 1e-6);
 }
 
@@ -89,7 +90,8 @@ TEST_CASE("the three distances agree in a constant metric and are ordered in oth
   const Vector r{0.3, -0.2};
   const Metric m = Metric::from_sizes(0.5, 0.1, 0.4);
   const Metric n = m.scaled(9.0);
-  for (const auto& [name, kind] : distance_names) CHECK(edge_distance(kind, r, m, m) == Approx(m.length(r)).epsilon(1e-12));
+  for (const auto& [name, kind] : distance_names)
+    CHECK(edge_distance(kind, r, m, m) == Approx(m.length(r)).epsilon(1e-12));
   // ends 1 and 3: 2/3 (1 + 3 + 9) / 4, 2, sqrt 5
   const double unit = m.length(r);
   CHECK(edge_distance(EdgeDistance::LinearMetric, r, m, n) == Approx(13.0 / 6.0 * unit).epsilon(1e-12));

@@ -54,11 +54,16 @@ TEST_CASE("every choice of the thesis's parameters gives a valid mesh", "[mesher
   if (choice == 9) options = {.neighbourhood = Neighbourhood::Radius, .radius = 2.0, .max_picks = 30.0};
   if (choice == 10) options = {.force = Force::Gradient, .distance = EdgeDistance::LinearMetric, .max_picks = 30.0};
   if (choice == 11)
-    options = {.momentum = 0.9, .creation = CreationPlace::Circumcentre, .annihilation = Annihilation::Collapse,
+    options = {.momentum = 0.9,
+               .creation = CreationPlace::Circumcentre,
+               .annihilation = Annihilation::Collapse,
                .max_picks = 30.0};
   if (choice == 12)
-    options = {.distance = EdgeDistance::MeanLength, .virtual_triangles = false, .relocation = Relocation::InPlace,
-               .picking = Picking::BySpeed, .max_picks = 30.0};
+    options = {.distance = EdgeDistance::MeanLength,
+               .virtual_triangles = false,
+               .relocation = Relocation::InPlace,
+               .picking = Picking::BySpeed,
+               .max_picks = 30.0};
   if (choice == 13) options.picking = Picking::Hilbert;
   const GenerateResult made = generate(domain, field, as_written(options));
   CHECK(oracle::problems_of(made.mesh) == std::vector<std::string>{});

@@ -18,7 +18,7 @@ double area_of(const std::vector<Point>& polygon) {
 
 bool holds(const std::vector<Point>& cell, const Point& p) {
   for (std::size_t i = 0; i < cell.size(); ++i)
-    if (doubled_area(cell[i], cell[(i + 1) % cell.size()], p) < 0.0) return false;
+    if (doubled_area(cell[i], cell[(i + 1) % cell.size()], p) < -1e-12) return false;
   return !cell.empty();
 }
 

@@ -1,0 +1,132 @@
+#include "mesher/metric/feature_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/segment_tree.h"
+#include "mesher/metric/gradation.h"
+#include "mesher/triangulation/conversion.h"
+#include "mesher/triangulation/delaunay.h"
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+void require(bool holds, const char* what) {
+  if (!holds) throw InputError(std::string("sizes from the geometry: ") + what);
+}
+
+double diagonal_of(const Domain& domain) {
+  Point low = domain.points.front();
+  Point high = low;
+  for (const Point& p : domain.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return norm(high - low);
+}
+
+/// Places with the sizes wanted there.
+class Sampler {
+ public:
+  Sampler(const Domain& domain, double fraction, double h_max);
+  void sample_points();
+  void sample_segments();
+  const std::vector<Point>& points() const { return points_; }
+  const std::vector<double>& sizes() const { return sizes_; }
+
+ private:
+  double nearest_isolated(const Point& p) const;
+  double feature_size_on(int segment, const Point& p) const;
+  void sample(int segment, double from, double to, int depth);
+  void add(const Point& p, double feature_size) {
+    points_.push_back(p);
+    sizes_.push_back(std::min(fraction_ * feature_size, h_max_));
+  }
+
+  const Domain& domain_;
+  SegmentTree segments_;
+  double fraction_;
+  double h_max_;
+  std::vector<Point> isolated_;
+  std::vector<Point> points_;
+  std::vector<double> sizes_;
+};
+
+Sampler::Sampler(const Domain& domain, double fraction, double h_max)
+    : domain_(domain), segments_(domain), fraction_(fraction), h_max_(h_max) {
+  std::vector<char> is_end(domain.points.size(), 0);
+  for (const Segment& s : domain.segments) is_end[at(s.a)] = is_end[at(s.b)] = 1;
+  for (std::size_t i = 0; i < is_end.size(); ++i)
+    if (is_end[i] == 0) isolated_.push_back(domain.points[i]);
+}
+
+// Of another place than p.
+double Sampler::nearest_isolated(const Point& p) const {
+  double nearest = HUGE_VAL;
+  for (const Point& q : isolated_)
+    if (q != p) nearest = std::min(nearest, norm(q - p));
+  return nearest;
+}
+
+double Sampler::feature_size_on(int segment, const Point& p) const {
+  const Segment& s = domain_.segments[at(segment)];
+  const auto is_apart = [&](int other) {
+    const Segment& o = domain_.segments[at(other)];
+    return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
+  };
+  const double length = norm(domain_.points[at(s.b)] - domain_.points[at(s.a)]);
+  return std::min({length, segments_.nearest(p, is_apart).distance, nearest_isolated(p)});
+}
+
+void Sampler::sample_points() {
+  for (const Point& p : isolated_) add(p, std::min(segments_.nearest(p).distance, nearest_isolated(p)));
+}
+
+// Halved until the samples are no farther apart than the feature size, or the largest size.
+void Sampler::sample(int segment, double from, double to, int depth) {
+  constexpr int max_depth = 14;
+  const Segment& s = domain_.segments[at(segment)];
+  const Point& a = domain_.points[at(s.a)];
+  const Point& b = domain_.points[at(s.b)];
+  const double middle = 0.5 * (from + to);
+  const Point p = lerp(a, b, middle);
+  const double feature_size = feature_size_on(segment, p);
+  add(p, feature_size);
+  if (depth == max_depth || (to - from) * norm(b - a) <= std::min(feature_size, 4.0 * h_max_)) return;
+  sample(segment, from, middle, depth + 1);
+  sample(segment, middle, to, depth + 1);
+}
+
+void Sampler::sample_segments() {
+  std::vector<double> at_end(domain_.points.size(), HUGE_VAL);
+  for (int i = 0; i < static_cast<int>(domain_.segments.size()); ++i) {
+    const Segment& s = domain_.segments[at(i)];
+    for (const int end : {s.a, s.b})
+      at_end[at(end)] = std::min(at_end[at(end)], feature_size_on(i, domain_.points[at(end)]));
+    sample(i, 0.0, 1.0, 0);
+  }
+  for (std::size_t i = 0; i < at_end.size(); ++i)
+    if (std::isfinite(at_end[i])) add(domain_.points[i], at_end[i]);
+}
+
+}  // namespace
+
+BackgroundMesh feature_size_field(const Domain& user_domain, const FeatureSizeOptions& options) {
+  require(options.fraction > 0.0 && options.fraction <= 1.0, "fraction must be positive and 1 at most");
+  require(options.growth > 1.0 && std::isfinite(options.growth), "growth must be above 1");
+  require(options.h_max >= 0.0 && std::isfinite(options.h_max), "h_max must be positive, or 0");
+  const Domain domain = clean(user_domain).domain;
+  Sampler sampler(domain, options.fraction, options.h_max > 0.0 ? options.h_max : 0.1 * diagonal_of(domain));
+  sampler.sample_segments();
+  sampler.sample_points();
+  const ConvertedMesh converted = to_mesh(delaunay(sampler.points()).triangulation, {});
+  std::vector<Metric> metrics;
+  for (const VertexId v : converted.slots) metrics.push_back(Metric::isotropic(sampler.sizes()[at(v)]));
+  return BackgroundMesh(converted.mesh, limit_gradation(converted.mesh, metrics, options.growth).metrics);
+}
+
+}  // namespace parmesan

@@ -1,0 +1,57 @@
+#include "mesher/metric/feature_size.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "mesher/errors.h"
+#include "mesher/generate.h"
+#include "mesher/quality.h"
+#include "tests/oracle/mesh_checker.h"
+#include "tests/support/domains.h"
+
+using namespace parmesan;
+
+namespace {
+
+double size_at(const MetricField& field, const Point& p) { return 1.0 / std::sqrt(field.at(p).tensor().xx); }
+
+}  // namespace
+
+TEST_CASE("in a slit the size is half its height, elsewhere it is larger", "[mesher][metric]") {
+  // A room with a long slit of height 0.1 to its right.
+  Domain domain;
+  support::add_polygon(domain, {{0, 0}, {4, 0}, {4, 1.9}, {10, 1.9}, {10, 2.0}, {4, 2.0}, {4, 4}, {0, 4}}, 1);
+  const BackgroundMesh field = feature_size_field(domain);
+  for (const double x : {5.0, 6.5, 8.0}) CHECK(size_at(field, {x, 1.95}) == Approx(0.05).epsilon(0.05));
+  CHECK(size_at(field, {1, 1}) > 0.25);
+}
+
+TEST_CASE("sizes scale with the domain and do not depend on its place", "[mesher][metric]") {
+  const Domain domain = support::square_with_everything();
+  Domain other = domain;
+  for (Point& p : other.points) p = 8.0 * p + Vector{64, -32};
+  for (Point& p : other.holes) p = 8.0 * p + Vector{64, -32};
+  const BackgroundMesh field = feature_size_field(domain);
+  const BackgroundMesh scaled = feature_size_field(other);
+  for (const Point& p : {Point{0.05, 0.1}, Point{0.3, 0.3}, Point{0.85, 0.6}, Point{0.2, 0.78}})
+    CHECK(size_at(scaled, 8.0 * p + Vector{64, -32}) == Approx(8.0 * size_at(field, p)).epsilon(1e-9));
+}
+
+TEST_CASE("close isolated points get small sizes, and the mesh of such sizes is a good one", "[mesher][metric]") {
+  Domain domain = support::unit_square();
+  domain.points.insert(domain.points.end(), {{0.5, 0.5}, {0.51, 0.5}});
+  const BackgroundMesh field = feature_size_field(domain);
+  CHECK(size_at(field, {0.5, 0.5}) == Approx(0.005).epsilon(1e-6));
+  CHECK(size_at(field, {0.1, 0.1}) > 0.03);
+  const GenerateResult made = generate(domain, field);
+  CHECK(oracle::problems_of(made.mesh) == std::vector<std::string>{});
+  CHECK(measure_quality(made.mesh, made.metrics).quality_min > 0.3);
+  CHECK(made.mesh.num_vertices() < 3000);
+}
+
+TEST_CASE("options out of range are refused", "[mesher][metric][errors]") {
+  const Domain domain = support::unit_square();
+  CHECK_THROWS_AS(feature_size_field(domain, {.fraction = 0.0}), InputError);
+  CHECK_THROWS_AS(feature_size_field(domain, {.growth = 1.0}), InputError);
+  CHECK_THROWS_AS(feature_size_field(domain, {.h_max = -1.0}), InputError);
+}
