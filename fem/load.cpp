@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fem/coefficients.h"
 #include "fem/p1.h"
@@ -14,6 +15,7 @@ constexpr double LocalTolerance = 1e-3;   // of the triangle's own integral of |
 constexpr double GlobalTolerance = 1e-3;  // of the mean integral of |f| per triangle
 constexpr double OrbitTolerance = 0.05;   // difference of the two orbits that calls for subdivision
 constexpr int MaxDepth = 10;
+constexpr std::size_t MaxParts = 100'000;  // of one level; a source that is noise asks for any number
 
 /// What the degree 4 rule says about a triangle or a part of one.
 struct Sample {
@@ -66,34 +68,67 @@ class ElementSource {
     return result;
   }
 
-  /// Subdivides until the children confirm the parent to tolerance, which halves with each level
-  /// because a layer meets twice as many parts.
-  SourceMoments refine(const Part& part, const Sample& parent, double tolerance, int depth) const {
-    const std::array<Part, 4> parts = subdivide(part);
-    std::array<Sample, 4> children;
-    SourceMoments sum{};
-    double magnitude = 0.0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      children[k] = sample(parts[k]);
-      magnitude += children[k].magnitude;
-      for (std::size_t i = 0; i < 3; ++i) sum[i] += children[k].moments[i];
-    }
-    double change = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) change = std::max(change, std::abs(sum[i] - parent.moments[i]));
-    if (depth >= MaxDepth || change <= std::max(tolerance, LocalTolerance * magnitude)) return sum;
-    sum = {};
-    for (std::size_t k = 0; k < 4; ++k) {
-      const SourceMoments refined = refine(parts[k], children[k], 0.5 * tolerance, depth + 1);
-      for (std::size_t i = 0; i < 3; ++i) sum[i] += refined[i];
-    }
-    return sum;
-  }
-
  private:
   const Problem& problem_;
   const P1Element& element_;
   int region_;
 };
+
+/// A part of a triangle and what was sampled there.
+struct SampledPart {
+  std::size_t triangle = 0;
+  Part part;
+  Sample sample;
+};
+
+/// Four children of a part with their sums.
+struct Children {
+  std::array<SampledPart, 4> parts;
+  SourceMoments moments{};
+  double magnitude = 0.0;
+
+  /// The children agree with their parent.
+  bool confirm(const Sample& parent, double tolerance) const {
+    double change = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) change = std::max(change, std::abs(moments[i] - parent.moments[i]));
+    return change <= std::max(tolerance, LocalTolerance * magnitude);
+  }
+};
+
+Children children_of(const Mesh& mesh, const Problem& problem, const SampledPart& parent) {
+  const std::size_t t = parent.triangle;
+  const P1Element element = p1_element(mesh, static_cast<int>(t));
+  const ElementSource source(problem, element, mesh.regions[t]);
+  Children children;
+  const std::array<Part, 4> parts = subdivide(parent.part);
+  for (std::size_t k = 0; k < 4; ++k) {
+    children.parts[k] = {t, parts[k], source.sample(parts[k])};
+    children.magnitude += children.parts[k].sample.magnitude;
+    for (std::size_t i = 0; i < 3; ++i) children.moments[i] += children.parts[k].sample.moments[i];
+  }
+  return children;
+}
+
+void add(const SourceMoments& part, SourceMoments& sum) {
+  for (std::size_t i = 0; i < 3; ++i) sum[i] += part[i];
+}
+
+/// Subdivides until children confirm their parents to the tolerance, which halves with each level because a layer
+/// meets twice as many parts.
+void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open, double tolerance,
+            std::vector<SourceMoments>& result) {
+  for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
+    for (const SampledPart& parent : std::exchange(open, {})) {
+      const Children children = children_of(mesh, problem, parent);
+      if (children.confirm(parent.sample, std::ldexp(tolerance, 1 - depth))) {
+        add(children.moments, result[parent.triangle]);
+      } else {
+        open.insert(open.end(), children.parts.begin(), children.parts.end());
+      }
+    }
+  }
+  for (const SampledPart& part : open) add(part.sample.moments, result[part.triangle]);
+}
 
 /// 1 for the triangles whose orbits differ and for those that share an edge with one: where a layer crosses
 /// triangles that do not resolve it, the orbits of a few agree by chance.
@@ -126,12 +161,15 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
   const double tolerance = GlobalTolerance * magnitude / static_cast<double>(samples.size());
   const std::vector<char> suspected = near_rough_triangles(mesh, samples, tolerance);
   std::vector<SourceMoments> result(samples.size());
+  std::vector<SampledPart> open;
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    result[t] = samples[t].moments;
-    if (!suspected[t]) continue;
-    const P1Element element = p1_element(mesh, static_cast<int>(t));
-    result[t] = ElementSource(problem, element, mesh.regions[t]).refine({}, samples[t], tolerance, 1);
+    if (suspected[t]) {
+      open.push_back({t, {}, samples[t]});
+    } else {
+      result[t] = samples[t].moments;
+    }
   }
+  refine(mesh, problem, std::move(open), tolerance, result);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "fem/p1.h"
 #include "fem/quadrature.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double Tolerance = 1e-3;         // of the mean integral per triangle
 constexpr int MaxDepth = 14;               // of the subdivision
+constexpr std::size_t MaxParts = 100'000;  // of one level; a line on which the gradient is infinite asks for any number
 constexpr int SkipDegree10Above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
 constexpr std::size_t NumPeaks = 64;       // triangles whose largest error is looked for more closely
 constexpr int PeakDepth = 3;               // levels of subdivision there
@@ -80,25 +82,28 @@ class ElementError {
   const ExactFunction& exact_;
 };
 
-/// Quadrature that subdivides until two rules agree on the integrals of e^2 and |grad e|^2.
-class AdaptiveQuadrature {
+/// Integrals over a part, and whether two rules agree on them.
+struct Estimate {
+  Integrals integrals;
+  bool confirmed = false;
+};
+
+/// Rules of rising degree, until two agree on the integrals of e^2 and |grad e|^2.
+class CheckedQuadrature {
  public:
   /// mean: what a triangle contributes in the mean, to which tolerances refer.
-  AdaptiveQuadrature(const Integrals& mean, bool skip_degree10)
+  CheckedQuadrature(const Integrals& mean, bool skip_degree10)
       : l2_tolerance_(Tolerance * mean.l2), h1_tolerance_(Tolerance * mean.h1), skip_degree10_(skip_degree10) {}
 
   /// The integrals over a part. The tolerance halves with each level, because a line on which the
   /// error is not smooth meets twice as many parts.
-  Integrals integrate(const ElementError& error, const Corners& corners, double area, int depth) const {
+  Estimate integrate(const ElementError& error, const Corners& corners, double area, int depth) const {
     const double share = std::ldexp(1.0, -depth);
     const Integrals degree4 = error.integrate(corners, area, degree4_rule());
     const Integrals degree6 = error.integrate(corners, area, degree6_rule());
-    if (skip_degree10_ && agree(degree4, degree6, 0.1 * share)) return degree6;
+    if (skip_degree10_ && agree(degree4, degree6, 0.1 * share)) return {degree6, true};
     const Integrals degree10 = error.integrate(corners, area, degree10_rule_);
-    if (depth >= MaxDepth || agree(degree6, degree10, share)) return degree10;
-    Integrals sum;
-    for (const Corners& child : subdivide(corners)) sum.add(integrate(error, child, 0.25 * area, depth + 1));
-    return sum;
+    return {degree10, agree(degree6, degree10, share)};
   }
 
  private:
@@ -110,6 +115,14 @@ class AdaptiveQuadrature {
   double h1_tolerance_;
   bool skip_degree10_;
   std::vector<TrianglePoint> degree10_rule_ = conical_rule(6);
+};
+
+/// A triangle or a part of one whose integrals are not confirmed.
+struct Part {
+  std::size_t triangle = 0;
+  Corners corners{};
+  double area = 0.0;
+  Integrals integrals;
 };
 
 /// The largest |e| at the points of the degree 6 rule on parts of a triangle.
@@ -151,15 +164,31 @@ class MeshError {
     return {.l1 = sum.l1 / count, .l2 = sum.l2 / count, .h1 = sum.h1 / count};
   }
 
-  Integrals integrate(const AdaptiveQuadrature& quadrature) const {
+  /// Level by level: the parts of a triangle that are not confirmed are cut 1:4.
+  Integrals integrate(const CheckedQuadrature& quadrature) const {
     Integrals sum;
     std::vector<double> largest(mesh_.triangles.size());
+    const auto add = [&](std::size_t t, const Integrals& integrals) {
+      largest[t] = std::max(largest[t], integrals.largest);
+      sum.add(integrals);
+    };
+    std::vector<Part> open;
+    const auto visit = [&](std::size_t t, const Corners& corners, double area, int depth) {
+      const P1Element element = p1_element(mesh_, static_cast<int>(t));
+      const Estimate estimate = quadrature.integrate(error_on(element, t), corners, area, depth);
+      if (estimate.confirmed) return add(t, estimate.integrals);
+      open.push_back({t, corners, area, estimate.integrals});
+    };
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
-      const Integrals part = quadrature.integrate(error_on(element, t), element.p, element.area, 0);
-      largest[t] = part.largest;
-      sum.add(part);
+      visit(t, element.p, element.area, 0);
     }
+    for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + largest.size(); ++depth) {
+      for (const Part& part : std::exchange(open, {})) {
+        for (const Corners& child : subdivide(part.corners)) visit(part.triangle, child, 0.25 * part.area, depth);
+      }
+    }
+    for (const Part& part : open) add(part.triangle, part.integrals);
     for (const std::size_t t : peaks(largest)) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       sum.largest = std::max(sum.largest, sampled_maximum(error_on(element, t), element.p, PeakDepth));
@@ -193,7 +222,7 @@ ErrorNorms error_norms(const Mesh& mesh, std::span<const double> values, const E
                      std::to_string(mesh.points.size()) + " vertices");
   }
   const MeshError error(mesh, values, exact);
-  const AdaptiveQuadrature quadrature(error.mean(), mesh.num_triangles() > SkipDegree10Above);
+  const CheckedQuadrature quadrature(error.mean(), mesh.num_triangles() > SkipDegree10Above);
   const Integrals sum = error.integrate(quadrature);
   const double h1 = exact.gradient ? std::sqrt(sum.h1) : std::numeric_limits<double>::quiet_NaN();
   return {.l1 = sum.l1, .l2 = std::sqrt(sum.l2), .linf = sum.largest, .h1 = h1, .num_nonfinite = sum.nonfinite};

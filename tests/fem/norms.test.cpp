@@ -101,6 +101,27 @@ TEST_CASE("a singularity at a vertex is never evaluated there", "[fem][norms]") 
   CHECK(norms.num_nonfinite == 0);
 }
 
+TEST_CASE("a gradient that is infinite along a line costs a bounded number of points", "[fem][norms]") {
+  // u = x^0.6 on n cells across: int u'^2 = 0.36 / 0.2, less the squared slopes of the interpolant.
+  const int n = 8;
+  const auto u = [](double x) { return std::pow(x, 0.6); };
+  double squared = 1.8;
+  for (int i = 0; i < n; ++i) squared -= n * std::pow(u((i + 1.0) / n) - u(static_cast<double>(i) / n), 2);
+  long calls = 0;
+  const ExactFunction exact{[&](const Point& p) {
+                              ++calls;
+                              return u(p.x);
+                            },
+                            [](const Point& p) {
+                              return Vector{0.6 * std::pow(p.x, -0.4), 0.0};
+                            }};
+  const Mesh mesh = rectangle_mesh(n, 16);
+  const ErrorNorms norms = error_norms(mesh, interpolate(mesh, exact.value), exact);
+  // Depth 10: 2^-2 of the first cell's square lies in parts that are not resolved.
+  CHECK(norms.h1 == Approx(std::sqrt(squared)).epsilon(0.15));
+  CHECK(calls < 20'000'000);
+}
+
 TEST_CASE("points where the exact function is not finite are counted and left out", "[fem][norms]") {
   const ExactFunction gap{[](const Point& p) { return p.x < 0.5 ? 1.0 : std::sqrt(0.5 - p.x); },
                           [](const Point&) { return Vector{}; }};
