@@ -8,6 +8,7 @@
 #include "fem/coefficients.h"
 #include "fem/load.h"
 #include "fem/p1.h"
+#include "fem/point_sources.h"
 #include "fem/stabilization.h"
 
 namespace parmesan {
@@ -125,7 +126,8 @@ void add_triangle(const Mesh& mesh, const Problem& problem, std::size_t t, Sourc
 }  // namespace
 
 AssembledSystem assemble(const Mesh& mesh, const Problem& problem) {
-  const std::vector<SourceMoments> loads = source_moments(mesh, problem);
+  std::vector<SourceMoments> loads = source_moments(mesh, problem);
+  add_point_sources(mesh, problem, loads);
   AssembledSystem system;
   system.matrix = zero_matrix(mesh);
   system.load.setZero(mesh.num_vertices());

@@ -6,8 +6,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "fem/coefficients.h"
-#include "fem/quadrature.h"
+#include "fem/side_integrals.h"
 #include "mesher/errors.h"
 
 namespace parmesan {
@@ -24,6 +23,7 @@ Side make_side(const Mesh& mesh, std::size_t edge, int from, int to, std::size_t
   return {.from = from,
           .to = to,
           .label = mesh.labels[edge],
+          .triangle = static_cast<int>(triangle),
           .region = mesh.regions[triangle],
           .normal = {d.y / length, -d.x / length},
           .length = length};
@@ -35,79 +35,16 @@ std::string list_labels(const Mesh& mesh, const std::set<int>& labels) {
   return text.empty() ? "none" : text;
 }
 
-double data_at(const BoundaryData& data, const Side& side, const Point& x, const char* name) {
-  return data ? require_finite(data(x, side.normal, side.region), name, x) : 0.0;
+/// Adds the Robin term a u to the matrix.
+void add_robin(const Side& side, const RobinMoments& a, AssembledSystem& system) {
+  system.matrix.coeffRef(side.from, side.from) += a.from_from;
+  system.matrix.coeffRef(side.from, side.to) += a.from_to;
+  system.matrix.coeffRef(side.to, side.from) += a.from_to;
+  system.matrix.coeffRef(side.to, side.to) += a.to_to;
+  if (a.min < 0.0) system.definite = false;
+  if (a.min == 0.0 && a.max == 0.0) return;
+  for (const int v : {side.from, side.to}) system.anchored[static_cast<std::size_t>(v)] = 1;
 }
-
-/// Integrals of g phi_from and g phi_to over a side, and of |g|.
-struct FluxMoments {
-  double from = 0.0;
-  double to = 0.0;
-  double magnitude = 0.0;
-};
-
-/// A labelled side as a segment with the data of its condition.
-class Flux {
- public:
-  Flux(const Mesh& mesh, const Side& side, const BoundaryCondition& condition)
-      : a_(mesh.points[static_cast<std::size_t>(side.from)]),
-        b_(mesh.points[static_cast<std::size_t>(side.to)]),
-        side_(side),
-        condition_(condition),
-        rule_(gauss_rule(4)) {}
-
-  /// The moments of g over the part t0 < t < t1 of the side.
-  FluxMoments moments(double t0, double t1) const {
-    FluxMoments sum;
-    for (const auto& [s, weight] : rule_) {
-      const double t = t0 + s * (t1 - t0);
-      const double g = data_at(condition_.value, side_, lerp(a_, b_, t), "boundary data");
-      const double w = weight * (t1 - t0) * side_.length * g;
-      sum.from += w * (1.0 - t);
-      sum.to += w * t;
-      sum.magnitude += std::abs(w);
-    }
-    return sum;
-  }
-
-  /// Halves the part until the halves confirm the whole.
-  FluxMoments refined(double t0, double t1, const FluxMoments& whole, int depth) const {
-    constexpr double Tolerance = 1e-5;
-    constexpr int MaxDepth = 12;
-    const double middle = 0.5 * (t0 + t1);
-    FluxMoments left = moments(t0, middle);
-    FluxMoments right = moments(middle, t1);
-    const double change = std::max(std::abs(left.from + right.from - whole.from),  //
-                                   std::abs(left.to + right.to - whole.to));
-    if (depth < MaxDepth && change > Tolerance * (left.magnitude + right.magnitude)) {
-      left = refined(t0, middle, left, depth + 1);
-      right = refined(middle, t1, right, depth + 1);
-    }
-    return {left.from + right.from, left.to + right.to, left.magnitude + right.magnitude};
-  }
-
-  /// Adds the Robin term a u to the matrix.
-  void add_coefficient(AssembledSystem& system) const {
-    for (const auto& [t, weight] : rule_) {
-      const double a = data_at(condition_.coefficient, side_, lerp(a_, b_, t), "Robin coefficient");
-      const double w = weight * side_.length * a;
-      system.matrix.coeffRef(side_.from, side_.from) += w * (1.0 - t) * (1.0 - t);
-      system.matrix.coeffRef(side_.from, side_.to) += w * (1.0 - t) * t;
-      system.matrix.coeffRef(side_.to, side_.from) += w * t * (1.0 - t);
-      system.matrix.coeffRef(side_.to, side_.to) += w * t * t;
-      if (a < 0.0) system.definite = false;
-      if (a == 0.0) continue;
-      for (const int v : {side_.from, side_.to}) system.anchored[static_cast<std::size_t>(v)] = 1;
-    }
-  }
-
- private:
-  Point a_;
-  Point b_;
-  const Side& side_;
-  const BoundaryCondition& condition_;
-  std::vector<SegmentPoint> rule_;
-};
 
 }  // namespace
 
@@ -172,10 +109,9 @@ void add_flux_conditions(const Mesh& mesh, const Problem& problem, const std::ve
     if (side.interior) continue;
     const BoundaryCondition& condition = problem.boundary.at(side.label);
     if (condition.kind == BoundaryKind::Dirichlet) continue;
-    const Flux flux(mesh, side, condition);
-    if (condition.kind == BoundaryKind::Robin) flux.add_coefficient(system);
-    if (!condition.value) continue;
-    const FluxMoments moments = flux.refined(0.0, 1.0, flux.moments(0.0, 1.0), 0);
+    if (condition.kind == BoundaryKind::Robin)
+      add_robin(side, robin_moments(mesh, side, condition.coefficient), system);
+    const SideMoments moments = side_moments(mesh, side, condition.value);
     system.load[side.from] += moments.from;
     system.load[side.to] += moments.to;
   }
@@ -192,7 +128,7 @@ FixedVertices dirichlet_values(const Mesh& mesh, const Problem& problem, const s
       const auto v = static_cast<std::size_t>(vertex);
       if (result.fixed[v] && label[v] < side.label) continue;
       if (label[v] != side.label) count[v] = 0;
-      const double g = data_at(condition->second.value, side, mesh.points[v], "boundary data");
+      const double g = data_at(condition->second.value, side, mesh.points[v]);
       label[v] = side.label;
       result.fixed[v] = 1;
       ++count[v];

@@ -16,6 +16,7 @@ struct Side {
   int from = 0;
   int to = 0;
   int label = 0;
+  int triangle = 0;       // to the left
   int region = 0;         // of the triangle
   Vector normal;          // of length 1
   double length = 0.0;    // L

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/mesh.h"
@@ -32,13 +33,20 @@ struct BoundaryCondition {
   BoundaryData coefficient;  // Robin only
 };
 
-/// -div(K grad u) + b.grad u + c u = f, with one condition per boundary label. An empty velocity,
+/// A source of this strength concentrated in a point: strength times the delta distribution.
+struct PointSource {
+  Point place;
+  double strength = 0.0;  // U L^0 K: the flux out through any curve around it
+};
+
+/// -div(K grad u) + b.grad u + c u = f + point sources, with one condition per boundary label. An empty velocity,
 /// reaction or source is zero. Labels of interior constraints need no condition.
 struct Problem {
   DiffusionCoefficient diffusion;
   VectorCoefficient velocity;
   ScalarCoefficient reaction;
   ScalarCoefficient source;
+  std::vector<PointSource> point_sources;
   std::map<int, BoundaryCondition> boundary;
   bool stabilize = true;  // SUPG where the mesh Peclet number exceeds 1
 };

@@ -1,6 +1,9 @@
 #include "fem/solve.h"
 
+#include <algorithm>
+
 #include "fem/boundary_conditions.h"
+#include "fem/boundary_flux.h"
 #include "fem/linear_solver.h"
 #include "fem/null_space.h"
 #include "fem/reduction.h"
@@ -25,6 +28,15 @@ void check_sizes(const Mesh& mesh, std::span<const double> guess) {
     throw InputError("the guess has " + std::to_string(guess.size()) + " values; the mesh has " +
                      std::to_string(mesh.points.size()) + " vertices");
   }
+}
+
+/// The range of the solution and what it may be.
+void report_range(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides, Solution& solution) {
+  const auto [low, high] = std::ranges::minmax_element(solution.values);
+  solution.report.minimum = *low;
+  solution.report.maximum = *high;
+  // Without data that hold u there is a constant to choose.
+  if (solution.report.null_components == 0) solution.report.bounds = solution_bounds(mesh, problem, sides);
 }
 
 }  // namespace
@@ -58,6 +70,8 @@ Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double>
   solution.report.peclet_min = system.peclet_min;
   solution.report.peclet_max = system.peclet_max;
   solution.report.null_components = static_cast<int>(null_space.components.size());
+  solution.fluxes = boundary_fluxes(mesh, problem, sides, system, solution.values);
+  report_range(mesh, problem, sides, solution);
   return solution;
 }
 

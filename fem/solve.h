@@ -1,11 +1,13 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "fem/problem.h"
+#include "fem/solution_bounds.h"
 
 namespace parmesan {
 
@@ -24,11 +26,19 @@ struct SolveReport {
   double peclet_max = 0.0;
   int null_components = 0;              // parts of the mesh where the mean value was fixed to zero
   double compatibility_mismatch = 0.0;  // largest relative imbalance of the data there
+  double minimum = 0.0;                 // of the nodal values
+  double maximum = 0.0;
+  SolutionBounds bounds;  // of the exact solution, where the maximum principle gives them
+
+  /// By how much the nodal values exceed the bounds; 0 without bounds.
+  double overshoot() const { return bounds.upper && maximum > *bounds.upper ? maximum - *bounds.upper : 0.0; }
+  double undershoot() const { return bounds.lower && minimum < *bounds.lower ? *bounds.lower - minimum : 0.0; }
 };
 
 /// Nodal values of the P1 solution, one per vertex of the mesh.
 struct Solution {
   std::vector<double> values;
+  std::map<int, double> fluxes;  // out through each label with a condition (boundary_flux.h)
   SolveReport report;
 };
 

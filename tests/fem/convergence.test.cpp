@@ -33,6 +33,9 @@ void check_orders(const Problem& problem) {
   const Orders bent = measured_orders(bent_square, problem);
   CHECK(std::abs(bent.l2 - 2.0) < 0.05);
   CHECK(std::abs(bent.h1 - 1.0) < 0.05);
+  const Orders stretched = measured_orders(stretched_square, problem);
+  CHECK(std::abs(stretched.l2 - 2.0) < 0.05);
+  CHECK(std::abs(stretched.h1 - 1.0) < 0.05);
 }
 
 double laplacian(const Point& p) { return Wave::xx(p) + Wave::yy(p); }

@@ -73,6 +73,15 @@ inline Mesh bent_square(int n) {
   });
 }
 
+/// A rectangle mesh of the unit square whose cells are 3 to 50 times as wide as they are high at the bottom, 1.1 times
+/// at the top, on lines that are bent.
+inline Mesh stretched_square(int n) {
+  return mapped(rectangle_mesh(n / 4, 4 * n, {0, 0}, {1, 1}, true), [](const Point& p) {
+    const double y = std::expm1(2.0 * p.y) / std::expm1(2.0);
+    return Point{p.x + 0.05 * std::sin(2 * M_PI * p.x) * std::sin(M_PI * y), y};
+  });
+}
+
 /// A rectangle mesh of the unit square with its inner vertices moved at random by up to `amount`
 /// of a cell; amounts up to 0.24 keep all triangles positive.
 inline Mesh random_square(int n, double amount, unsigned seed) {

@@ -1,0 +1,74 @@
+#include "fem/boundary_flux.h"
+
+#include "fem/coefficients.h"
+#include "fem/p1.h"
+#include "fem/side_integrals.h"
+
+namespace parmesan {
+
+namespace {
+
+/// n.K grad u_h in the triangle at the middle of the side; nothing of it is known for interior constraints.
+double element_flux(const Mesh& mesh, const Problem& problem, const Side& side, std::span<const double> values) {
+  if (side.interior) return 0.0;
+  std::array<double, 3> u{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    u[i] = values[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(side.triangle)][i])];
+  }
+  const Point middle = midpoint(mesh.points[static_cast<std::size_t>(side.from)],  //
+                                mesh.points[static_cast<std::size_t>(side.to)]);
+  const Vector gradient = p1_gradient(p1_element(mesh, side.triangle), u);
+  return dot(side.normal, diffusion_at(problem, middle, side.region) * gradient);
+}
+
+/// What the Dirichlet sides at a vertex have to share.
+struct VertexFlux {
+  double remainder = 0.0;  // residual minus the fluxes of the elements
+  double length = 0.0;     // of the sides
+};
+
+double given_flux(const Mesh& mesh, const Side& side, const BoundaryCondition& condition,
+                  std::span<const double> values) {
+  const SideMoments g = side_moments(mesh, side, condition.value);
+  if (condition.kind == BoundaryKind::Neumann) return g.from + g.to;
+  const RobinMoments a = robin_moments(mesh, side, condition.coefficient);
+  const double from = values[static_cast<std::size_t>(side.from)];
+  const double to = values[static_cast<std::size_t>(side.to)];
+  return g.from + g.to - (a.from_from + a.from_to) * from - (a.from_to + a.to_to) * to;
+}
+
+}  // namespace
+
+std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                                      const AssembledSystem& system, std::span<const double> values) {
+  const Eigen::Map<const Eigen::VectorXd> u(values.data(), static_cast<Eigen::Index>(values.size()));
+  const Eigen::VectorXd residual = system.matrix * u - system.load;
+  std::map<int, double> fluxes;
+  std::map<int, VertexFlux> at;
+  std::vector<const Side*> dirichlet;
+  for (const Side& side : sides) {
+    const auto condition = problem.boundary.find(side.label);
+    if (condition == problem.boundary.end()) continue;
+    double& flux = fluxes[side.label];
+    if (condition->second.kind != BoundaryKind::Dirichlet) {
+      if (!side.interior) flux += given_flux(mesh, side, condition->second, values);
+      continue;
+    }
+    dirichlet.push_back(&side);
+    const double in_element = side.length * element_flux(mesh, problem, side, values);
+    flux += in_element;
+    for (const int v : {side.from, side.to}) {
+      VertexFlux& vertex = at.try_emplace(v, VertexFlux{residual[v], 0.0}).first->second;
+      vertex.remainder -= 0.5 * in_element;
+      vertex.length += side.length;
+    }
+  }
+  for (const Side* side : dirichlet) {
+    for (const int v : {side->from, side->to}) {
+      fluxes[side->label] += at.at(v).remainder * side->length / at.at(v).length;
+    }
+  }
+  return fluxes;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,50 @@
+#include "fem/functionals.h"
+
+#include <numeric>
+
+#include "fem/coefficients.h"
+#include "fem/load.h"
+#include "fem/point_location.h"
+#include "fem/side_integrals.h"
+
+namespace parmesan {
+
+Functional region_integral(const Mesh& mesh, const ScalarCoefficient& weight) {
+  Problem problem;
+  problem.source = weight ? weight : [](const Point&, int) { return 1.0; };
+  const std::vector<SourceMoments> moments = source_moments(mesh, problem);
+  Functional functional(mesh.points.size(), 0.0);
+  for (std::size_t t = 0; t < moments.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) functional[static_cast<std::size_t>(mesh.triangles[t][i])] += moments[t][i];
+  }
+  return functional;
+}
+
+Functional boundary_integral(const Mesh& mesh, const std::vector<Side>& sides, int label, const BoundaryData& weight) {
+  const BoundaryData one = [](const Point&, const Vector&, int) { return 1.0; };
+  Functional functional(mesh.points.size(), 0.0);
+  for (const Side& side : sides) {
+    if (side.label != label) continue;
+    const SideMoments moments = side_moments(mesh, side, weight ? weight : one);
+    functional[static_cast<std::size_t>(side.from)] += moments.from;
+    functional[static_cast<std::size_t>(side.to)] += moments.to;
+  }
+  return functional;
+}
+
+Functional point_value(const Mesh& mesh, const Point& point) {
+  const std::vector<TrianglePlace> holders = triangles_at(mesh, point);
+  if (holders.empty()) throw ProblemError("the point " + format_place(point) + " lies outside of the domain");
+  Functional functional(mesh.points.size(), 0.0);
+  const auto& [triangle, lambda] = holders.front();
+  for (std::size_t i = 0; i < 3; ++i) {
+    functional[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(triangle)][i])] = lambda[i];
+  }
+  return functional;
+}
+
+double value_of(const Functional& functional, std::span<const double> values) {
+  return std::inner_product(functional.begin(), functional.end(), values.begin(), 0.0);
+}
+
+}  // namespace parmesan

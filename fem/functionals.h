@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fem/boundary_conditions.h"
+
+namespace parmesan {
+
+/// Linear functionals J(u) of P1 functions by their values J(phi_i), one per vertex: J(u) = sum_i J(phi_i) u_i.
+/// The same vector is the load of the dual problem.
+using Functional = std::vector<double>;
+
+/// int weight u; weight: 1 where empty, integrated like a source (load.h).
+/// Errors: ProblemError where the weight is not finite.
+Functional region_integral(const Mesh& mesh, const ScalarCoefficient& weight);
+
+/// int weight u over the sides of one label, integrated like a flux (side_integrals.h); interior constraints once.
+/// Errors: ProblemError where the weight is not finite.
+Functional boundary_integral(const Mesh& mesh, const std::vector<Side>& sides, int label, const BoundaryData& weight);
+
+/// u at a point. Errors: ProblemError for a point outside of the mesh. Cost: O(n).
+Functional point_value(const Mesh& mesh, const Point& point);
+
+/// J(u).
+double value_of(const Functional& functional, std::span<const double> values);
+
+}  // namespace parmesan

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "fem/boundary_conditions.h"
+
+namespace parmesan {
+
+/// g at a point of a side, zero where the problem gives none; name: what g is, for the message.
+/// Errors: ProblemError with the place unless it is finite.
+double data_at(const BoundaryData& g, const Side& side, const Point& x, const char* name = "boundary data");
+
+/// Integrals of g phi_from and g phi_to over a side, and of |g|.
+struct SideMoments {
+  double from = 0.0;
+  double to = 0.0;
+  double magnitude = 0.0;
+};
+
+/// The moments of g, by 4 Gauss points on halves of the side until they confirm each other.
+/// Errors: ProblemError where g is not finite.
+SideMoments side_moments(const Mesh& mesh, const Side& side, const BoundaryData& g);
+
+/// Integrals of a phi_i phi_j over a side, and the range of a.
+struct RobinMoments {
+  double from_from = 0.0;
+  double from_to = 0.0;
+  double to_to = 0.0;
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// The moments of a Robin coefficient, by 4 Gauss points. Errors: ProblemError where a is not finite.
+RobinMoments robin_moments(const Mesh& mesh, const Side& side, const BoundaryData& a);
+
+}  // namespace parmesan

@@ -1,0 +1,111 @@
+#include "fem/boundary_flux.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "fem/p1.h"
+#include "fem/solve.h"
+#include "tests/fem/manufactured.h"
+
+namespace parmesan {
+namespace {
+
+using namespace support;
+
+double sum(const std::map<int, double>& fluxes) {
+  double total = 0.0;
+  for (const auto& [label, flux] : fluxes) total += flux;
+  return total;
+}
+
+/// int of b.grad u_h + c u_h over the mesh for constant b and c, triangle by triangle.
+double transported(const Mesh& mesh, const std::vector<double>& u, const Vector& b, double c) {
+  double total = 0.0;
+  for (int t = 0; t < mesh.num_triangles(); ++t) {
+    const P1Element element = p1_element(mesh, t);
+    std::array<double, 3> values{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      values[i] = u[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i])];
+    }
+    total += element.area * (dot(b, p1_gradient(element, values)) + c * (values[0] + values[1] + values[2]) / 3);
+  }
+  return total;
+}
+
+/// int over the right side of u_x of the wave: 2 cos(2 + y) + exp(y) / 4.
+double wave_flux() { return 2 * (std::sin(3.0) - std::sin(2.0)) + 0.25 * (std::exp(1.0) - 1.0); }
+
+double flux_error(int n) {
+  Problem problem;
+  problem.source = [](const Point& p, int) { return -Wave::xx(p) - Wave::yy(p); };
+  problem.boundary = dirichlet_everywhere(Wave::value);
+  return std::abs(solve(bent_square(n), problem).fluxes.at(Right) - wave_flux());
+}
+
+}  // namespace
+
+TEST_CASE("the fluxes of a linear solution are exact whatever the conditions", "[fem][flux]") {
+  // K grad u = ([2 .5; .5 1]) (-2, 5) = (-1.5, 4), constant, sides of length 1.
+  const Diffusion k{2.0, 0.5, 1.0};
+  Problem problem;
+  problem.diffusion = [k](const Point&, int) { return k; };
+  problem.boundary = dirichlet_everywhere(linear);
+  const auto flux = [](const Vector& n) { return -1.5 * n.x + 4 * n.y; };
+  SECTION("Dirichlet") {}
+  SECTION("Neumann on the right") {
+    problem.boundary[Right] = neumann([flux](const Point&, const Vector& n, int) { return flux(n); });
+  }
+  SECTION("Robin on the top") {
+    problem.boundary[Top] =
+        robin([](const Point& p, const Vector&, int) { return 3.0 + p.x; },
+              [flux](const Point& p, const Vector& n, int) { return flux(n) + (3.0 + p.x) * linear(p); });
+  }
+  const std::map<int, double> fluxes = solve(random_square(7, 0.24, 5), problem).fluxes;
+  CHECK(fluxes.at(Left) == Approx(1.5).epsilon(1e-12));
+  CHECK(fluxes.at(Right) == Approx(-1.5).epsilon(1e-12));
+  CHECK(fluxes.at(Bottom) == Approx(-4.0).epsilon(1e-12));
+  CHECK(fluxes.at(Top) == Approx(4.0).epsilon(1e-12));
+}
+
+TEST_CASE("fluxes, source and transport are in balance on any mesh, SUPG or not", "[fem][flux]") {
+  const Vector b = GENERATE(Vector{0, 0}, Vector{1, -0.5}, Vector{3e3, 1e3});
+  const double c = GENERATE(0.0, 2.0);
+  Problem problem;
+  problem.diffusion = [](const Point& p, int) { return Diffusion{1 + p.x, 0.2, 2}; };
+  if (norm(b) > 0) problem.velocity = [b](const Point&, int) { return b; };
+  if (c > 0) problem.reaction = [c](const Point&, int) { return c; };
+  problem.source = [](const Point& p, int) { return 1 + p.x * p.y * p.y; };  // int f = 7/6
+  problem.point_sources = {{{0.4, 0.7}, 0.5}};
+  problem.boundary = dirichlet_everywhere(Wave::value);
+  problem.boundary[Top] = neumann([](const Point& p, const Vector&, int) { return p.x; });
+  problem.boundary[Left] = robin([](const Point&, const Vector&, int) { return 2.0; },
+                                 [](const Point& p, const Vector&, int) { return p.y; });
+  const Mesh mesh = random_square(9, 0.24, 6);
+  const Solution solution = solve(mesh, problem);
+  const double out = sum(solution.fluxes);
+  const double balance = transported(mesh, solution.values, b, c) - 7.0 / 6.0 - 0.5;
+  CHECK(out == Approx(balance).epsilon(1e-9));
+}
+
+TEST_CASE("the flux through a Dirichlet side converges with order 2", "[fem][flux]") {
+  const double order = std::log2(flux_error(16) / flux_error(64)) / 2;
+  CHECK(order > 1.7);
+}
+
+TEST_CASE("the flux into an interior constraint comes from both sides", "[fem][flux]") {
+  Mesh mesh = rectangle_mesh(4, 4);
+  for (int j = 0; j < 4; ++j) {  // the line x = 1/2, label 9
+    mesh.edges.push_back({5 * j + 2, 5 * (j + 1) + 2});
+    mesh.labels.push_back(9);
+  }
+  Problem problem = unit_poisson();
+  problem.source = {};
+  problem.boundary[Bottom] = problem.boundary[Top] = neumann({});
+  problem.boundary[9] = dirichlet([](const Point&, const Vector&, int) { return 2.0; });
+  const std::map<int, double> fluxes = solve(mesh, problem).fluxes;
+  CHECK(fluxes.at(9) == Approx(8.0).epsilon(1e-13));  // slope 4 on both sides
+  CHECK(fluxes.at(Left) == Approx(-4.0).epsilon(1e-13));
+  CHECK(fluxes.at(Top) == 0.0);
+}
+
+}  // namespace parmesan
