@@ -139,6 +139,7 @@ Case parse_case(const std::string& text, const std::string& file, const std::vec
   read_name(reading, result);
   const std::optional<CaseGeometry> geometry = read_geometry_section(reading);
   read_problem_section(reading, geometry ? &*geometry : nullptr, result);
+  read_functionals_section(reading, geometry ? &*geometry : nullptr, result);
   read_option_sections(reading, result);
   if (!reading.issues.empty()) throw CaseError(file, place_issues(reading.document, reading.issues));
   clean(geometry->domain);  // throws GeometryError unless it can be meshed

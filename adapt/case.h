@@ -36,6 +36,16 @@ struct Targets {
   std::optional<double> max_seconds;
 };
 
+/// A number made of the solution that is reported with every iteration.
+struct CaseFunctional {
+  enum class Kind { Integral, BoundaryIntegral, Flux, Value };
+  std::string name;
+  Kind kind = Kind::Integral;
+  std::string where;                 // name of a region or a label, "*" for the whole domain
+  std::optional<Expression> weight;  // of integrals
+  Point point;                       // of a value
+};
+
 /// Pass limit on a field of the last iteration in summary.json.
 struct Expectation {
   std::string name;  // dotted path, e.g. "efficiency", "solution_error.l2"; or "targets_met"
@@ -56,6 +66,7 @@ struct Case {
   bool interpolation = false;       // "interpolate": adapt to a given function, no PDE
   std::optional<Expression> exact;  // exact solution, or the function to interpolate
   Problem problem;                  // empty when interpolation
+  std::vector<CaseFunctional> functionals;
   MetricOptions metric;
   Targets targets;
   GenerateOptions mesher;

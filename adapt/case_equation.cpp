@@ -61,14 +61,17 @@ Sum Equation::derived_source(const Point& p, int region) const {
   return f;
 }
 
-double Equation::exact_flux(const Point& p, const Vector& normal, int region) const {
+Vector Equation::exact_flux(const Point& p, int region) const {
   const Jet u = exact->jet(p);
   const Diffusion k = diffusion_at(p, region);
-  const double flux = normal.x * (k.xx * u.x + k.xy * u.y) + normal.y * (k.xy * u.x + k.yy * u.y);
-  if (!std::isfinite(flux)) {
-    throw_not_finite(exact->pointer(), "the boundary flux of " + named(exact->expression()), flux, p);
-  }
+  const Vector flux{k.xx * u.x + k.xy * u.y, k.xy * u.x + k.yy * u.y};
+  const double sum = flux.x + flux.y;
+  if (!std::isfinite(sum)) throw_not_finite(exact->pointer(), "the flux of " + named(exact->expression()), sum, p);
   return flux;
+}
+
+double Equation::exact_flux(const Point& p, const Vector& normal, int region) const {
+  return dot(normal, exact_flux(p, region));
 }
 
 }  // namespace parmesan

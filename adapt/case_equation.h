@@ -81,6 +81,9 @@ struct Equation {
   /// Errors: ProblemError when it is not finite.
   Sum derived_source(const Point& p, int region) const;
 
+  /// K grad u of the exact solution. Errors: ProblemError when it is not finite.
+  Vector exact_flux(const Point& p, int region) const;
+
   /// n.K grad u of the exact solution. Errors: ProblemError when it is not finite.
   double exact_flux(const Point& p, const Vector& normal, int region) const;
 };

@@ -34,6 +34,16 @@ class EquationReader {
                                        [this](const Json& v, const std::string& p) { return vector(v, p); });
   }
 
+  std::vector<PointSource> point_sources() {
+    std::vector<PointSource> sources;
+    if (!readable("point_sources")) return sources;
+    for (const Json& source : problem_["point_sources"]) {
+      const Json& at = source["at"];
+      sources.push_back({{at[0].get<double>(), at[1].get<double>()}, source["strength"].get<double>()});
+    }
+    return sources;
+  }
+
   std::optional<Regional<CheckedExpression>> scalar_field(const std::string& key) {
     return regional<CheckedExpression>(key, [this](const Json& v, const std::string& p) { return scalar(v, p); });
   }
@@ -137,6 +147,16 @@ ScalarCoefficient coefficient_of(const Regional<CheckedExpression>& field) {
   return [field](const Point& p, int region) { return field.at(region).value(p); };
 }
 
+/// The derived source as c u - div(K grad u).
+DivergenceForm divergence_form(const std::shared_ptr<const Equation>& equation, const ScalarCoefficient& reaction) {
+  DivergenceForm form{[equation](const Point& p, int region) { return equation->exact_flux(p, region); }, nullptr};
+  if (!reaction) return form;
+  form.remainder = [equation, reaction](const Point& p, int region) {
+    return reaction(p, region) * equation->exact->value(p);
+  };
+  return form;
+}
+
 /// The functions that the finite element method asks for.
 Problem make_problem(const std::shared_ptr<const Equation>& equation,
                      const std::optional<Regional<CheckedExpression>>& source) {
@@ -153,6 +173,7 @@ Problem make_problem(const std::shared_ptr<const Equation>& equation,
     problem.source = coefficient_of(*source);
   } else if (equation->exact) {
     problem.source = [equation](const Point& p, int region) { return equation->derived_source(p, region).value; };
+    problem.divergence_form = divergence_form(equation, problem.reaction);
   }
   return problem;
 }
@@ -172,6 +193,7 @@ void read_equation(CaseReading& reading, const CaseGeometry* geometry, Case& res
                                        std::move(*diffusion), std::move(*velocity), std::move(*reaction), exact})
                                  : nullptr;
   if (equation) result.problem = make_problem(equation, source);
+  result.problem.point_sources = reader.point_sources();
   result.problem.stabilize = section.value("stabilize", Json(true)) == true;
   if (geometry == nullptr) return;
   result.problem.boundary = read_boundary(reading, *geometry, equation);

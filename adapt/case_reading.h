@@ -38,6 +38,9 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading);
 /// it could not be read: then labels and regions are not checked.
 void read_problem_section(CaseReading& reading, const CaseGeometry* geometry, Case& result);
 
+/// Reads /functionals. geometry may be null when it could not be read: then names are not checked.
+void read_functionals_section(CaseReading& reading, const CaseGeometry* geometry, Case& result);
+
 /// Reads /metric, /targets, /mesher, /initial, /output and /expect.
 void read_option_sections(CaseReading& reading, Case& result);
 

@@ -22,6 +22,11 @@ constexpr const char* kSchema = R"schema({
     },
     "geometry": { "$ref": "#/$defs/geometry" },
     "problem": { "anyOf": [{ "$ref": "#/$defs/interpolation" }, { "$ref": "#/$defs/equation" }] },
+    "functionals": {
+      "type": "object", "default": {}, "patternProperties": { "^x-": {} },
+      "additionalProperties": { "$ref": "#/$defs/functional" },
+      "description": "name -> a number made of the solution, reported with every iteration"
+    },
     "metric": { "$ref": "#/$defs/metric", "default": {} },
     "targets": { "$ref": "#/$defs/targets", "default": {} },
     "mesher": { "$ref": "#/$defs/mesher", "default": {} },
@@ -138,11 +143,29 @@ constexpr const char* kSchema = R"schema({
         "velocity": { "$ref": "#/$defs/vector_field", "default": [0, 0] },
         "reaction": { "$ref": "#/$defs/scalar_field", "default": 0 },
         "source": { "$ref": "#/$defs/scalar_field", "description": "default: derived from exact, else 0" },
+        "point_sources": { "type": "array", "items": { "$ref": "#/$defs/point_source" } },
         "exact": { "$ref": "#/$defs/scalar", "description": "the exact solution" },
         "stabilize": { "type": "boolean", "default": true,
                        "description": "SUPG where the mesh Peclet number exceeds 1" },
         "boundary": { "type": "object", "minProperties": 1, "additionalProperties": { "$ref": "#/$defs/condition" },
                       "description": "per label, \"*\" for all others" }
+      }
+    },
+    "point_source": {
+      "type": "object", "required": ["at", "strength"], "additionalProperties": false,
+      "patternProperties": { "^x-": {} }, "description": "strength times the delta distribution, added to the source",
+      "properties": { "at": { "$ref": "#/$defs/point" }, "strength": { "$ref": "#/$defs/constant" } }
+    },
+    "functional": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "oneOf": [{ "required": ["integral"] }, { "required": ["boundary_integral"] }, { "required": ["flux"] },
+                { "required": ["value"] }],
+      "properties": {
+        "integral": { "type": "string", "minLength": 1, "description": "of u over a region, \"*\" for the domain" },
+        "boundary_integral": { "type": "string", "minLength": 1, "description": "of u over the sides of a label" },
+        "flux": { "type": "string", "minLength": 1, "description": "integral of n.K grad u over the sides of a label" },
+        "value": { "$ref": "#/$defs/point", "description": "u at a point" },
+        "weight": { "$ref": "#/$defs/scalar", "description": "a factor of u in an integral" }
       }
     },
     "condition": {
@@ -247,12 +270,18 @@ constexpr const char* kSchema = R"schema({
     "expect": {
       "type": "object", "description": "pass limits on fields of the last iteration in summary.json",
       "patternProperties": { "^x-": {} },
+      "properties": {
+        "functionals": { "type": "object", "additionalProperties": { "$ref": "#/$defs/limits" } },
+        "fluxes": { "type": "object", "additionalProperties": { "$ref": "#/$defs/limits" } }
+      },
       "propertyNames": { "enum": [
         "targets_met", "iteration", "vertices", "triangles", "complexity", "efficiency", "unit_edges",
         "interpolation_error.l1", "interpolation_error.l2", "interpolation_error.linf", "interpolation_error.h1",
         "solution_error.l2", "solution_error.linf", "solution_error.h1", "estimated_error.l2", "estimated_error.h1",
         "edge_length.min", "edge_length.max", "quality.min", "quality.p01", "quality.mean",
-        "quality.min_away_from_corners", "seconds.mesh", "seconds.solve", "seconds.recover", "seconds.total",
+        "quality.min_away_from_corners", "functionals", "fluxes", "bounds.lower", "bounds.upper", "bounds.overshoot",
+        "bounds.undershoot", "solver.backward_error", "solver.unknowns", "solver.iterations", "solver.peclet_min",
+        "solver.peclet_max", "seconds.mesh", "seconds.solve", "seconds.recover", "seconds.total",
         "peak_memory_mb"] },
       "additionalProperties": { "anyOf": [{ "type": "boolean" }, { "$ref": "#/$defs/limits" }] }
     }

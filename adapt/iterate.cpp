@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "adapt/functional_value.h"
 #include "adapt/stopwatch.h"
 #include "adapt/transfer.h"
-#include "fem/solve.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
@@ -69,6 +69,13 @@ void measure_errors(const Case& input, const Iterate& iterate, const std::option
   row.interpolation_error = error_norms(iterate.mesh, nodal, exact);
   if (!input.interpolation) row.solution_error = error_norms(iterate.mesh, iterate.values, exact);
   if (limit) row.efficiency = efficiency(row.interpolation_error->l2, iterate.mesh.num_triangles(), *limit);
+}
+
+/// The fluxes by the names of their labels, added up where several have one name.
+std::map<std::string, double> named_fluxes(const Iterate& iterate) {
+  std::map<std::string, double> named;
+  for (const auto& [label, flux] : iterate.fluxes) named[label_name(iterate.mesh.label_names, label)] += flux;
+  return named;
 }
 
 std::function<SymmetricTensor(const Point&)> exact_hessian(const Expression& function) {
@@ -133,7 +140,10 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
   } else {
     std::vector<double> guess;
     if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
-    iterate.values = solve(iterate.mesh, input.problem, guess).values;
+    Solution solution = solve(iterate.mesh, input.problem, guess);
+    iterate.values = std::move(solution.values);
+    iterate.fluxes = std::move(solution.fluxes);
+    iterate.solve_report = std::move(solution.report);
   }
   iterate.seconds.solve = watch.seconds();
   iterate.seconds.cpu += watch.cpu_seconds();
@@ -164,6 +174,11 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
   row.start = iterate.report.start;
   row.start_reason = iterate.report.start_reason;
   row.diagnosis = iterate.report.diagnosis;
+  row.solve_report = iterate.solve_report;
+  row.fluxes = named_fluxes(iterate);
+  for (const CaseFunctional& functional : input.functionals) {
+    row.functionals[functional.name] = evaluate(functional, iterate.mesh, iterate.values, iterate.fluxes);
+  }
   measure_errors(input, iterate, limit, row);
   set_quality(row, iterate.mesh, measure_quality(iterate.mesh, iterate.metrics));
   iterate.seconds.measure = watch.seconds();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "adapt/interpolation_limit.h"
 #include "adapt/summary.h"
 #include "fem/norms.h"
+#include "fem/solve.h"
 #include "mesher/generate.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric.h"
@@ -26,6 +28,8 @@ struct Iterate {
   std::vector<double> values;   // nodal values of the solution, or of the interpolant
   double complexity = 0.0;      // of the metric asked for
   GenerateReport report;        // of the mesher
+  std::optional<SolveReport> solve_report;  // absent for an interpolant
+  std::map<int, double> fluxes;             // of the solution out through each label
   StageSeconds seconds;
 };
 

@@ -26,6 +26,35 @@ Json estimate(const std::optional<EstimatedError>& e) {
   return Json{{"l2", number(e->l2)}, {"h1", number(e->h1)}};
 }
 
+Json solver(const std::optional<SolveReport>& r) {
+  if (!r) return nullptr;
+  return Json{{"method", r->solver},
+              {"unknowns", r->unknowns},
+              {"iterations", r->iterations},
+              {"backward_error", number(r->backward_error)},
+              {"peclet_min", number(r->peclet_min)},
+              {"peclet_max", number(r->peclet_max)},
+              {"constant_components", r->null_components},
+              {"compatibility_mismatch", number(r->compatibility_mismatch)}};
+}
+
+Json bounds(const std::optional<SolveReport>& r) {
+  if (!r) return nullptr;
+  const auto bound = [](const std::optional<double>& b) { return b ? number(*b) : Json(nullptr); };
+  return Json{{"lower", bound(r->bounds.lower)},
+              {"upper", bound(r->bounds.upper)},
+              {"minimum", number(r->minimum)},
+              {"maximum", number(r->maximum)},
+              {"undershoot", r->bounds.lower ? number(r->undershoot()) : Json(nullptr)},
+              {"overshoot", r->bounds.upper ? number(r->overshoot()) : Json(nullptr)}};
+}
+
+Json numbers(const std::map<std::string, double>& named) {
+  Json j = Json::object();
+  for (const auto& [name, value] : named) j[name] = number(value);
+  return j;
+}
+
 Json seconds(const StageSeconds& s) {
   return Json{{"mesh", s.mesh},       {"solve", s.solve},   {"recover", s.recover},
               {"measure", s.measure}, {"total", s.total()}, {"cpu", s.cpu}};
@@ -145,6 +174,10 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["solution_error"] = norms(row.solution_error, false);
   j["estimated_error"] = estimate(row.estimated_error);
   j["goal"] = nullptr;
+  j["solver"] = solver(row.solve_report);
+  j["bounds"] = bounds(row.solve_report);
+  j["fluxes"] = numbers(row.fluxes);
+  j["functionals"] = numbers(row.functionals);
   j["unit_edges"] = number(row.unit_edges);
   j["edge_length"] = {{"min", number(row.length_min)}, {"max", number(row.length_max)}};
   j["quality"] = {{"min", number(row.quality_min)},

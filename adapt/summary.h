@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "fem/norms.h"
 #include "fem/recovery.h"
+#include "fem/solve.h"
 #include "mesher/diagnosis.h"
 #include "mesher/geometry/point.h"
 #include "mesher/quality.h"
@@ -58,6 +60,9 @@ struct IterationRow {
   std::optional<double> efficiency;
   std::optional<ErrorNorms> solution_error;
   std::optional<EstimatedError> estimated_error;
+  std::optional<SolveReport> solve_report;    // absent for interpolation
+  std::map<std::string, double> fluxes;       // out through the sides of each label
+  std::map<std::string, double> functionals;  // those the case asks for
   double unit_edges = 0.0;
   double length_min = 0.0, length_max = 0.0;
   double quality_min = 0.0, quality_p01 = 0.0, quality_mean = 0.0, quality_min_away_from_corners = 0.0;

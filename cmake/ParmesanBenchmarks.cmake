@@ -11,3 +11,8 @@ else()
   target_sources(delaunay_speed PRIVATE ${PROJECT_SOURCE_DIR}/tools/bench/cgal_absent.cpp)
 endif()
 parmesan_compile_options(delaunay_speed)
+
+# The target `fem_speed`: assembly and solvers by size.
+add_executable(fem_speed EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tools/bench/fem_speed.cpp)
+target_link_libraries(fem_speed PRIVATE parmesan_fem)
+parmesan_compile_options(fem_speed)

@@ -112,8 +112,9 @@ void add_flux_conditions(const Mesh& mesh, const Problem& problem, const std::ve
     if (condition.kind == BoundaryKind::Robin)
       add_robin(side, robin_moments(mesh, side, condition.coefficient), system);
     const SideMoments moments = side_moments(mesh, side, condition.value);
-    system.load[side.from] += moments.from;
-    system.load[side.to] += moments.to;
+    const SideMoments through = source_flux_moments(mesh, problem, side);
+    system.load[side.from] += moments.from - through.from;
+    system.load[side.to] += moments.to - through.to;
   }
 }
 

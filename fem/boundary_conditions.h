@@ -36,6 +36,7 @@ void check_conditions(const Mesh& mesh, const Problem& problem, const std::vecto
 ///
 ///     F_i += int g phi_i,    A_ij += int a phi_i phi_j (Robin),
 ///
+/// and - int n.q phi_i where the source has the divergence form r - div q;
 /// g by 4 Gauss points on halves of the side until they confirm each other, a by 4 Gauss points.
 /// Errors: ProblemError where the data are not finite.
 void add_flux_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,

@@ -1,5 +1,7 @@
 #include "fem/boundary_flux.h"
 
+#include <limits>
+
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/side_integrals.h"
@@ -19,6 +21,18 @@ double element_flux(const Mesh& mesh, const Problem& problem, const Side& side, 
                                 mesh.points[static_cast<std::size_t>(side.to)]);
   const Vector gradient = p1_gradient(p1_element(mesh, side.triangle), u);
   return dot(side.normal, diffusion_at(problem, middle, side.region) * gradient);
+}
+
+/// What the source's own flux adds to the residuals of a Dirichlet side, NaN where it is not finite: data may be
+/// singular on the boundary.
+SideMoments own_flux(const Mesh& mesh, const Problem& problem, const Side& side) {
+  if (side.interior) return {};
+  try {
+    return source_flux_moments(mesh, problem, side);
+  } catch (const ProblemError&) {
+    constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+    return {Unknown, Unknown, Unknown};
+  }
 }
 
 /// What the Dirichlet sides at a vertex have to share.
@@ -57,11 +71,14 @@ std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, 
     dirichlet.push_back(&side);
     const double in_element = side.length * element_flux(mesh, problem, side, values);
     flux += in_element;
-    for (const int v : {side.from, side.to}) {
+    const SideMoments own = own_flux(mesh, problem, side);
+    const auto add = [&](int v, double moment) {
       VertexFlux& vertex = at.try_emplace(v, VertexFlux{residual[v], 0.0}).first->second;
-      vertex.remainder -= 0.5 * in_element;
+      vertex.remainder += moment - 0.5 * in_element;
       vertex.length += side.length;
-    }
+    };
+    add(side.from, own.from);
+    add(side.to, own.to);
   }
   for (const Side* side : dirichlet) {
     for (const int v : {side->from, side->to}) {

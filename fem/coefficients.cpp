@@ -51,4 +51,17 @@ double source_at(const Problem& problem, const Point& point, int region) {
   return scalar_at(problem.source, "source", point, region);
 }
 
+bool uses_divergence_form(const Problem& problem) { return problem.divergence_form && !problem.velocity; }
+
+double remainder_at(const Problem& problem, const Point& point, int region) {
+  const bool weak = uses_divergence_form(problem);
+  return scalar_at(weak ? problem.divergence_form->remainder : problem.source, "source", point, region);
+}
+
+Vector source_flux_at(const Problem& problem, const Point& point, int region) {
+  if (!uses_divergence_form(problem)) return {};
+  const Vector q = problem.divergence_form->flux(point, region);
+  return {require_finite(q.x, "the flux of the source", point), require_finite(q.y, "the flux of the source", point)};
+}
+
 }  // namespace parmesan

@@ -22,6 +22,13 @@ Vector velocity_at(const Problem& problem, const Point& point, int region);
 double reaction_at(const Problem& problem, const Point& point, int region);
 double source_at(const Problem& problem, const Point& point, int region);
 
+/// What the load is integrated from: int r phi + q.grad phi - the boundary integral of n.q phi, with q the flux and r
+/// the remainder of the divergence form if the problem has one and no velocity; else q = 0 and r is the source. Errors:
+/// ProblemError with the place unless they are finite.
+bool uses_divergence_form(const Problem& problem);
+double remainder_at(const Problem& problem, const Point& point, int region);
+Vector source_flux_at(const Problem& problem, const Point& point, int region);
+
 /// K d.
 constexpr Vector operator*(const Diffusion& k, const Vector& d) {
   return {k.xx * d.x + k.xy * d.y, k.xy * d.x + k.yy * d.y};

@@ -20,7 +20,7 @@ constexpr std::size_t MaxParts = 100'000;  // of one level; a source that is noi
 /// What the degree 4 rule says about a triangle or a part of one.
 struct Sample {
   SourceMoments moments{};
-  double magnitude = 0.0;    // integral of |f|
+  double magnitude = 0.0;    // integral of |f|, or what stands for it
   double orbit_error = 0.0;  // difference of the integrals over the two orbits of three points
 };
 
@@ -59,16 +59,39 @@ class ElementSource {
     for (std::size_t q = 0; q < degree4_rule().size(); ++q) {
       const TrianglePoint& point = degree4_rule()[q];
       const Barycentric l = combine(part.corners, point.lambda);
-      const double f = source_at(problem_, element_.at(l), region_);
+      const double f = remainder_at(problem_, element_.at(l), region_);
       for (std::size_t i = 0; i < 3; ++i) result.moments[i] += area * point.weight * f * l[i];
       result.magnitude += area * point.weight * std::abs(f);
       orbit[q / 3] += area * f / 3.0;
     }
     result.orbit_error = std::abs(orbit[0] - orbit[1]);
+    if (uses_divergence_form(problem_)) add_flux(part, area, result);
     return result;
   }
 
  private:
+  /// q.grad phi_i. All rules are exact for the mean of q, so that only the rest counts as magnitude.
+  void add_flux(const Part& part, double area, Sample& result) const {
+    std::array<Vector, 6> flux;
+    std::array<Vector, 2> orbit;
+    Vector mean;
+    for (std::size_t k = 0; k < flux.size(); ++k) {
+      const auto& [lambda, weight] = degree4_rule()[k];
+      flux[k] = source_flux_at(problem_, element_.at(combine(part.corners, lambda)), region_);
+      mean = mean + weight * flux[k];
+      orbit[k / 3] = orbit[k / 3] + (1.0 / 3.0) * flux[k];
+    }
+    double steepest = 0.0;  // gradient of a basis function
+    for (std::size_t i = 0; i < 3; ++i) {
+      result.moments[i] += area * dot(mean, element_.gradient[i]);
+      steepest = std::max(steepest, norm(element_.gradient[i]));
+    }
+    for (std::size_t k = 0; k < flux.size(); ++k) {
+      result.magnitude += area * steepest * degree4_rule()[k].weight * norm(flux[k] - mean);
+    }
+    result.orbit_error += area * steepest * norm(orbit[0] - orbit[1]);
+  }
+
   const Problem& problem_;
   const P1Element& element_;
   int region_;
@@ -150,7 +173,7 @@ std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sampl
 }  // namespace
 
 std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem) {
-  if (!problem.source) return {};
+  if (!problem.source && !uses_divergence_form(problem)) return {};
   std::vector<Sample> samples(mesh.triangles.size());
   double magnitude = 0.0;
   for (std::size_t t = 0; t < samples.size(); ++t) {

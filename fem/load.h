@@ -7,7 +7,7 @@
 
 namespace parmesan {
 
-/// Integrals of f phi_0, f phi_1, f phi_2 over a triangle.
+/// Integrals of f phi_0, f phi_1, f phi_2 over a triangle; with the divergence form, of r phi_i + q.grad phi_i.
 using SourceMoments = std::array<double, 3>;
 
 /// The moments of the source on each triangle; empty where the problem has no source.

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "mesher/errors.h"
@@ -39,13 +40,22 @@ struct PointSource {
   double strength = 0.0;  // U L^0 K: the flux out through any curve around it
 };
 
+/// The source written as f = remainder - div flux. A flux as rough as grad r^(1/10) can be integrated where its
+/// divergence cannot, and it need not be continuous where K is not.
+struct DivergenceForm {
+  VectorCoefficient flux;
+  ScalarCoefficient remainder;  // zero where empty
+};
+
 /// -div(K grad u) + b.grad u + c u = f + point sources, with one condition per boundary label. An empty velocity,
-/// reaction or source is zero. Labels of interior constraints need no condition.
+/// reaction or source is zero. Labels of interior constraints need no condition. SUPG needs the source itself: with a
+/// velocity the divergence form is not looked at.
 struct Problem {
   DiffusionCoefficient diffusion;
   VectorCoefficient velocity;
   ScalarCoefficient reaction;
   ScalarCoefficient source;
+  std::optional<DivergenceForm> divergence_form;  // of the same source; the load is integrated from it
   std::vector<PointSource> point_sources;
   std::map<int, BoundaryCondition> boundary;
   bool stabilize = true;  // SUPG where the mesh Peclet number exceeds 1

@@ -76,6 +76,13 @@ SideMoments side_moments(const Mesh& mesh, const Side& side, const BoundaryData&
   return function.refined(0.0, 1.0, function.moments(0.0, 1.0), 0);
 }
 
+SideMoments source_flux_moments(const Mesh& mesh, const Problem& problem, const Side& side) {
+  if (!uses_divergence_form(problem)) return {};
+  return side_moments(mesh, side, [&problem](const Point& x, const Vector& normal, int region) {
+    return dot(normal, source_flux_at(problem, x, region));
+  });
+}
+
 RobinMoments robin_moments(const Mesh& mesh, const Side& side, const BoundaryData& a) {
   const SideFunction function(mesh, side, a);
   RobinMoments sum{.min = HUGE_VAL, .max = -HUGE_VAL};

@@ -19,6 +19,10 @@ struct SideMoments {
 /// Errors: ProblemError where g is not finite.
 SideMoments side_moments(const Mesh& mesh, const Side& side, const BoundaryData& g);
 
+/// The moments of n.q, q the flux of a source in divergence form; zero where it has none.
+/// Errors: ProblemError where q is not finite.
+SideMoments source_flux_moments(const Mesh& mesh, const Problem& problem, const Side& side);
+
 /// Integrals of a phi_i phi_j over a side, and the range of a.
 struct RobinMoments {
   double from_from = 0.0;

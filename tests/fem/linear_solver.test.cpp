@@ -143,4 +143,17 @@ TEST_CASE("iterative solvers agree with direct ones", "[fem][solver][slow]") {
   CHECK(error < 1e-5);
 }
 
+TEST_CASE("where conjugate gradients do not converge a direct method takes over", "[fem][solver][slow]") {
+  // -laplace u - 2000 u is indefinite; the claim that it is not sends it to CG first.
+  const Mesh mesh = rectangle_mesh(330, 330);
+  Problem problem = poisson();
+  problem.reaction = [](const Point&, int) { return -2000.0; };
+  const ReducedSystem system = reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+  REQUIRE(system.load.size() > 100'000);
+  const LinearResult result =
+      solve_linear(system.matrix, system.load, {true, true}, Eigen::VectorXd::Zero(system.load.size()));
+  CHECK(result.solver == "LDLT");
+  CHECK((system.load - system.matrix * result.x).norm() < 1e-10 * system.load.norm());
+}
+
 }  // namespace parmesan

@@ -16,6 +16,33 @@ void print_norms(std::ostream& out, const char* name, const std::optional<ErrorN
       << format_number(norms->linf) << "\n";
 }
 
+void print_named(std::ostream& out, const char* what, const std::map<std::string, double>& named) {
+  if (named.empty()) return;
+  out << what;
+  const char* separator = "";
+  for (const auto& [name, value] : named) {
+    out << separator << escape_control(name) << " " << format_number(value, 6);
+    separator = ", ";
+  }
+  out << "\n";
+}
+
+void print_solve(std::ostream& out, const SolveReport& report) {
+  out << "solver:              " << report.solver << ", " << report.unknowns << " unknowns, backward error "
+      << format_number(report.backward_error, 2);
+  if (report.peclet_max > 0.0) {
+    out << ", mesh Peclet numbers " << format_number(report.peclet_min, 2) << " to "
+        << format_number(report.peclet_max, 2);
+  }
+  out << "\n";
+  const auto exceeds = [&out](double by, const char* side, double bound) {
+    out << "maximum principle:   " << side << " bound " << format_number(bound) << " exceeded by "
+        << format_number(by, 2) << "\n";
+  };
+  if (report.undershoot() > 0.0) exceeds(report.undershoot(), "lower", *report.bounds.lower);
+  if (report.overshoot() > 0.0) exceeds(report.overshoot(), "upper", *report.bounds.upper);
+}
+
 void print_row(std::ostream& out, const IterationRow& row) {
   out << "mesh:                " << row.vertices << " vertices, " << row.triangles << " triangles, "
       << format_number(100.0 * row.unit_edges) << " % unit edges, quality " << format_number(row.quality_mean)
@@ -27,6 +54,8 @@ void print_row(std::ostream& out, const IterationRow& row) {
         << format_number(row.estimated_error->h1) << "\n";
   }
   if (row.efficiency) out << "efficiency:          " << format_number(*row.efficiency) << "\n";
+  if (row.solve_report) print_solve(out, *row.solve_report);
+  print_named(out, "functionals:         ", row.functionals);
 }
 
 std::string_view words(Start start) {
