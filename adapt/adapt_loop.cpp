@@ -37,11 +37,11 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
-/// The loop's state; adapt() runs it.
+/// Runs the loop from the state it is given, or from the start.
 class Loop {
  public:
-  Loop(const Case& input, const LoopOptions& options)
-      : case_(input), options_(options), goal_(size_goal(input.targets)) {
+  Loop(const Case& input, const LoopOptions& options) : case_(input), options_(options) {
+    goal_ = size_goal(input.targets);                  // g++ 12 crashes on it in the list above
     if (options.isotropic) case_.lower_error = false;  // its best triangles are anisotropic
     case_.mesher.max_vertices = std::min(case_.mesher.max_vertices, options.max_vertices);
     if (input.targets.vertices && *input.targets.vertices > options.max_vertices) {
@@ -51,80 +51,92 @@ class Loop {
   }
 
   LoopResult run() {
-    start();
-    while (true) {
-      const SizeDecision decision = finish_row();
-      if (decision.stop) {
-        result_.summary.stop_reason = *decision.stop;
-        break;
-      }
-      if (!advance(decision.asked)) break;
+    if (options_.resume) {
+      state_ = *options_.resume;
+      state_.summary.threads = options_.threads;
+    } else {
+      start();
+      add_row();
+    }
+    SizeDecision decision = decide();
+    while (!decision.stop && advance(decision.asked)) {
+      add_row();
+      decision = decide();
     }
     warn_of_misfits();
-    result_.summary.targets_met = goal_.error_targets && history_.back().error <= 1.0;
-    if (!goal_.error_targets) result_.summary.targets_met = result_.summary.stop_reason != StopReason::Interrupted;
-    result_.limit = limit_;
-    return std::move(result_);
+    Summary& summary = state_.summary;
+    summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
+    summary.targets_met =
+        goal_.error_targets ? state_.history.back().error <= 1.0 : summary.stop_reason != StopReason::Interrupted;
+    return {std::move(summary), std::move(state_.last), state_.limit};
   }
 
  private:
   void start() {
-    Summary& summary = result_.summary;
+    Summary& summary = state_.summary;
     summary.case_name = case_.name;
     summary.seed = case_.mesher.seed;
     summary.threads = options_.threads;
     summary.error_targets_declared = goal_.error_targets;
-    limit_ = options_.limit;
+    state_.limit = options_.limit;
     if (options_.start) {
-      result_.last = *options_.start;
-      result_.last.seconds = {};
-      asked_ = static_cast<double>(result_.last.mesh.num_vertices());
+      state_.last = *options_.start;
+      state_.last.seconds = {};
+      state_.asked = static_cast<double>(state_.last.mesh.num_vertices());
     } else {
       start_uniform();
     }
-    if (case_.exact && !limit_) limit_ = interpolation_limit(result_.last.mesh, *case_.exact);
-    if (limit_ && efficiency(1.0, 1.0, *limit_)) summary.interpolation_limit = limit_->value;
+    if (case_.exact && !state_.limit) state_.limit = interpolation_limit(state_.last.mesh, *case_.exact);
+    if (state_.limit && efficiency(1.0, 1.0, *state_.limit)) summary.interpolation_limit = state_.limit->value;
   }
 
   void start_uniform() {
-    asked_ = static_cast<double>(case_.initial_vertices);
-    if (goal_.cap) asked_ = std::min(asked_, *goal_.cap);
-    if (goal_.vertices) asked_ = std::min(asked_, *goal_.vertices);
-    result_.last = uniform_iterate(case_, asked_);
-    compute_values(case_, result_.last, nullptr);
+    double asked = static_cast<double>(case_.initial_vertices);
+    if (goal_.cap) asked = std::min(asked, *goal_.cap);
+    if (goal_.vertices) asked = std::min(asked, *goal_.vertices);
+    state_.asked = asked;
+    state_.last = uniform_iterate(case_, asked);
+    compute_values(case_, state_.last, nullptr);
   }
 
-  // Measures the last iterate, reports it, and says what comes next.
-  SizeDecision finish_row() {
-    Iterate& last = result_.last;
-    std::vector<IterationRow>& rows = result_.summary.iterations;
-    rows.push_back(measure(case_, last, static_cast<int>(rows.size()), limit_));
-    for (std::string& warning : last.report.warnings) result_.summary.warnings.push_back(std::move(warning));
+  // Measures the last iterate and reports it.
+  void add_row() {
+    Iterate& last = state_.last;
+    std::vector<IterationRow>& rows = state_.summary.iterations;
+    rows.push_back(measure(case_, last, static_cast<int>(rows.size()), state_.limit));
+    for (std::string& warning : last.report.warnings) state_.summary.warnings.push_back(std::move(warning));
+    last.report.warnings.clear();
     const double excess = target_excess(case_.targets, targeted_error(case_, rows.back()));
     const bool adapted = rows.size() > 1 || options_.start;
-    history_.push_back({asked_, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
-    if (options_.observer) options_.observer(last, rows.back());
-    SizeDecision decision = next_size(history_, goal_);
+    state_.history.push_back({state_.asked, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
+    const Stopwatch now;
+    state_.seconds += lap_.seconds();
+    lap_ = now;
+    if (options_.observer) options_.observer(state_);
+  }
+
+  SizeDecision decide() const {
+    SizeDecision decision = next_size(state_.history, goal_);
     if (!decision.stop) decision.stop = budget_spent();
     return decision;
   }
 
   // Of the last mesh only: those on the way to it are not what the user gets.
   void warn_of_misfits() {
-    const Diagnosis& diagnosis = result_.last.report.diagnosis;
+    const Diagnosis& diagnosis = state_.last.report.diagnosis;
     if (satisfies_metric(diagnosis)) return;
-    for (std::string& sentence : sentences(diagnosis)) result_.summary.warnings.push_back(std::move(sentence));
+    for (std::string& sentence : sentences(diagnosis)) state_.summary.warnings.push_back(std::move(sentence));
   }
 
   std::optional<StopReason> budget_spent() const {
     if (interrupted()) return StopReason::Interrupted;
-    if (unchanged_) return StopReason::Unchanged;
-    if (limits_bind_) return StopReason::Stagnated;
-    const ErrorNorms error = targeted_error(case_, result_.summary.iterations.back());
-    if (error.l2 <= 1e-14 * largest_magnitude(result_.last.values)) return StopReason::Floor;
+    if (state_.unchanged) return StopReason::Unchanged;
+    if (state_.limits_bind) return StopReason::Stagnated;
+    const ErrorNorms error = targeted_error(case_, state_.summary.iterations.back());
+    if (error.l2 <= 1e-14 * largest_magnitude(state_.last.values)) return StopReason::Floor;
     const Targets& targets = case_.targets;
-    if (static_cast<int>(history_.size()) >= targets.max_iterations) return StopReason::MaxIterations;
-    if (targets.max_seconds && watch_.seconds() >= *targets.max_seconds) return StopReason::TimeBudget;
+    if (static_cast<int>(state_.history.size()) >= targets.max_iterations) return StopReason::MaxIterations;
+    if (targets.max_seconds && state_.seconds >= *targets.max_seconds) return StopReason::TimeBudget;
     return std::nullopt;
   }
 
@@ -138,42 +150,36 @@ class Loop {
     request.measure = options_.measure.value_or(error_measure(case_.targets));
     request.isotropic = options_.isotropic;
     request.complexity = complexity_for_vertices(asked) * calibration();
-    const SecondDerivatives derivatives = second_derivatives(case_, result_.last);
-    const HessianMetric metric = metric_from_hessians(result_.last.mesh, derivatives.absolute, request);
-    StageSeconds& seconds = result_.summary.iterations.back().seconds;
+    const SecondDerivatives derivatives = second_derivatives(case_, state_.last);
+    const HessianMetric metric = metric_from_hessians(state_.last.mesh, derivatives.absolute, request);
+    StageSeconds& seconds = state_.summary.iterations.back().seconds;
     seconds.recover = recover.seconds();
     seconds.cpu += recover.cpu_seconds();
-    Iterate next = interrupted() ? Iterate{} : remesh(case_, result_.last, metric, derivatives.signed_field.get());
-    if (!interrupted()) compute_values(case_, next, &result_.last);
-    if (interrupted()) {
-      result_.summary.stop_reason = StopReason::Interrupted;
-      return false;
-    }
-    unchanged_ = same_mesh(next.mesh, result_.last.mesh);
-    limits_bind_ = asked_ == asked && metric.complexity < 0.8 * request.complexity;
-    asked_ = asked;
-    result_.last = std::move(next);
+    if (interrupted()) return false;
+    Iterate next = remesh(case_, state_.last, metric, derivatives.signed_field.get());
+    if (interrupted()) return false;
+    compute_values(case_, next, &state_.last);
+    if (interrupted()) return false;
+    state_.unchanged = same_mesh(next.mesh, state_.last.mesh);
+    state_.limits_bind = state_.asked == asked && metric.complexity < 0.8 * request.complexity;
+    state_.asked = asked;
+    state_.last = std::move(next);
     return true;
   }
 
   // Complexity asked for per complexity that the vertices obtained stand for: boundary vertices make
   // meshes larger than 2 C / sqrt3.
   double calibration() const {
-    if (history_.size() < 2) return 1.0;
-    const double obtained = complexity_for_vertices(history_.back().vertices);
-    return std::clamp(result_.last.complexity / obtained, 0.5, 1.1);
+    if (state_.history.size() < 2) return 1.0;
+    const double obtained = complexity_for_vertices(state_.history.back().vertices);
+    return std::clamp(state_.last.complexity / obtained, 0.5, 1.1);
   }
 
   Case case_;
   const LoopOptions& options_;
   SizeGoal goal_;
-  Stopwatch watch_;
-  std::optional<InterpolationLimit> limit_;
-  std::vector<SizeStep> history_;
-  double asked_ = 0.0;
-  bool unchanged_ = false;
-  bool limits_bind_ = false;
-  LoopResult result_;
+  Stopwatch lap_;  // since the last row
+  LoopState state_;
 };
 
 }  // namespace

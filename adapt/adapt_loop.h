@@ -7,21 +7,22 @@
 
 #include "adapt/case.h"
 #include "adapt/iterate.h"
-#include "adapt/sizing.h"
+#include "adapt/loop_state.h"
 #include "adapt/summary.h"
 
 namespace parmesan {
 
 /// What the loop is given beside the case.
 struct LoopOptions {
-  int threads = 1;                                                    // only reported
-  std::int64_t max_vertices = 10'000'000;                             // safety limit, LimitError beyond
-  const std::atomic<bool>* interrupted = nullptr;                     // looked at between stages
-  std::function<void(const Iterate&, const IterationRow&)> observer;  // after every row
-  bool isotropic = false;                                             // metrics of the form s I
-  std::optional<ErrorMeasure> measure;      // what metrics make small; absent: error_measure(targets)
-  const Iterate* start = nullptr;           // begins there, with values, instead of on a uniform mesh
-  std::optional<InterpolationLimit> limit;  // computed on the first mesh when absent and needed
+  int threads = 1;                                 // only reported
+  std::int64_t max_vertices = 10'000'000;          // safety limit, LimitError beyond
+  const std::atomic<bool>* interrupted = nullptr;  // looked at between stages
+  std::function<void(const LoopState&)> observer;  // after every row
+  const LoopState* resume = nullptr;               // goes on there
+  bool isotropic = false;                          // metrics of the form s I
+  std::optional<ErrorMeasure> measure;             // what metrics make small; absent: error_measure(targets)
+  const Iterate* start = nullptr;                  // begins there, with values, instead of on a uniform mesh
+  std::optional<InterpolationLimit> limit;         // computed on the first mesh when absent and needed
 };
 
 /// The rows and the last state.
@@ -43,7 +44,8 @@ ErrorMeasure error_measure(const Targets& targets);
 
 /// Mesh, solve, measure, recover, metric, remesh from the previous particles, until the targets are
 /// met or a budget is spent (see StopReason and next_size). The first mesh is uniform unless
-/// options.start is given.
+/// options.start is given. From a state that an observer was given, with options.resume, the loop comes to
+/// the end it would have come to without a break, bit by bit.
 ///
 /// Errors: as generate and solve; LimitError when targets.vertices exceeds the safety limit.
 LoopResult adapt(const Case& input, const LoopOptions& options);

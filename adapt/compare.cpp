@@ -196,7 +196,7 @@ double CompareRow::leading_h1() const {
 CompareResult compare_case(const Case& input, const CompareOptions& options) {
   check_sizes(options.sizes);
   const std::string folder = options.out_dir.empty() ? input.name + ".compare" : options.out_dir;
-  prepare_folder(folder, options.overwrite);
+  const FolderLock lock = prepare_folder(folder, options.overwrite ? EarlierFiles::Replace : EarlierFiles::Refuse);
   write_file(folder + "/case.json", input.resolved.dump(2) + "\n");
   CompareResult result = Comparison(input, options).run();
   result.out_dir = folder;

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
@@ -24,10 +26,12 @@ void make_folder(const std::string& path) {
   if (error) throw FileError(path, 0, "cannot make the folder: " + error.message());
 }
 
-// Everything a run or a comparison writes, so that nothing of an earlier one is left to mislead.
-void remove_earlier_files(const std::string& path) {
-  constexpr std::array names{"summary.json", "report.html", "mesh.vtu",    "mesh.mesh",       "mesh.svg",  "run.pvd",
-                             "case.json",    "iterations",  "compare.csv", "convergence.csv", "checkpoint"};
+// What a run or a comparison writes at its end, so that nothing of an earlier one is left to mislead.
+constexpr std::array final_files{"summary.json", "report.html", "mesh.vtu",    "mesh.mesh",
+                                 "mesh.svg",     "run.pvd",     "compare.csv", "convergence.csv"};
+constexpr std::array files_on_the_way{"case.json", "iterations", "checkpoint"};
+
+void remove_files(const std::string& path, std::span<const char* const> names) {
   for (const char* name : names) {
     std::error_code error;
     fs::remove_all(fs::path(path) / name, error);
@@ -64,6 +68,15 @@ MeshFields fields_of(const Case& input, const Iterate& iterate) {
   return fields;
 }
 
+// But for our lock.
+bool is_empty(const std::string& path) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path, error))
+    if (entry.path().filename() != FolderLock::file_name) return false;
+  if (error) throw FileError(path, 0, "cannot be read: " + error.message());
+  return true;
+}
+
 bool all_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
@@ -80,20 +93,24 @@ void write_picture(const std::string& path, const Case& input, const Iterate& la
 
 }  // namespace
 
-void prepare_folder(const std::string& path, bool overwrite) {
+FolderLock prepare_folder(const std::string& path, EarlierFiles earlier) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_directory(path, error))
     throw FileError(path, 0, "exists and is not a folder; choose another one with --out");
   make_folder(path);
-  const bool empty = fs::is_empty(path, error);
-  if (error) throw FileError(path, 0, "cannot be read: " + error.message());
-  if (!empty && !overwrite)
-    throw FileError(path, 0, "the folder is not empty; --overwrite replaces an earlier run, --out chooses another one");
-  if (!empty) remove_earlier_files(path);
+  FolderLock lock(path);
+  if (earlier == EarlierFiles::Refuse && !is_empty(path)) {
+    throw FileError(path, 0,
+                    "the folder is not empty; --overwrite replaces an earlier run, --resume goes on with it, --out "
+                    "chooses another folder");
+  }
+  remove_files(path, final_files);
+  if (earlier == EarlierFiles::Replace) remove_files(path, files_on_the_way);
+  return lock;
 }
 
-RunFolder::RunFolder(const std::string& path, const Case& input, bool overwrite) : path_(path), case_(input) {
-  prepare_folder(path, overwrite);
+RunFolder::RunFolder(const std::string& path, const Case& input, EarlierFiles earlier)
+    : path_(path), lock_(prepare_folder(path, earlier)), case_(input) {
   write_file(file("case.json"), input.resolved.dump(2) + "\n");
 }
 
@@ -102,7 +119,6 @@ bool RunFolder::wants(const std::string& format) const {
 }
 
 void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row) {
-  num_iterations_ = static_cast<std::size_t>(row.iteration) + 1;
   const std::string folder = file("iterations/" + three_digits(static_cast<std::size_t>(row.iteration)));
   make_folder(folder);
   if (wants("vtu")) write_vtu(folder + "/mesh.vtu", iterate.mesh, fields_of(case_, iterate));
@@ -114,7 +130,7 @@ void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row)
 void RunFolder::finish(const Summary& summary, const Iterate& last) const {
   if (wants("vtu")) {
     std::vector<PvdEntry> entries;
-    for (std::size_t k = 0; k < num_iterations_; ++k)
+    for (std::size_t k = 0; k < summary.iterations.size(); ++k)
       entries.push_back({static_cast<double>(k), "iterations/" + three_digits(k) + "/mesh.vtu"});
     write_pvd(file("run.pvd"), entries);
     write_vtu(file("mesh.vtu"), last.mesh, fields_of(case_, last));

@@ -1,20 +1,26 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <vector>
 
 #include "adapt/case.h"
+#include "adapt/folder_lock.h"
 #include "adapt/iterate.h"
 #include "adapt/summary.h"
 
 namespace parmesan {
 
-/// Makes an output folder, or takes an existing one.
+/// What is to become of an earlier run's files in a folder.
+enum class EarlierFiles {
+  Refuse,   // there must not be any, nor others
+  Replace,  // they are removed; what is not ours is left alone
+  GoOn      // the final ones are removed; iterations and checkpoints stay
+};
+
+/// Makes an output folder, or takes an existing one, and locks it.
 ///
-/// Errors: FileError when something else than a folder has the name, when the folder holds files and
-/// overwrite is off, or when it cannot be made.
-void prepare_folder(const std::string& path, bool overwrite);
+/// Errors: FileError when something else than a folder has the name, when another process has locked it, when
+/// the folder holds files and they are refused, or when it cannot be made.
+FolderLock prepare_folder(const std::string& path, EarlierFiles earlier);
 
 /// The folder of a run, filled as the run goes on (INTERFACE: "What a run leaves in its folder").
 ///
@@ -22,9 +28,8 @@ void prepare_folder(const std::string& path, bool overwrite);
 /// complete or not at all; a run that fails leaves its case and its iterations, never a summary.
 class RunFolder {
  public:
-  /// overwrite: files of an earlier run in the folder are removed; what is not ours is left alone.
   /// Errors: as prepare_folder, and FileError when case.json cannot be written.
-  RunFolder(const std::string& path, const Case& input, bool overwrite);
+  RunFolder(const std::string& path, const Case& input, EarlierFiles earlier);
 
   const std::string& path() const { return path_; }
 
@@ -39,8 +44,8 @@ class RunFolder {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
   std::string path_;
+  FolderLock lock_;
   const Case& case_;
-  std::size_t num_iterations_ = 0;
 };
 
 }  // namespace parmesan

@@ -1,11 +1,17 @@
 #include "adapt/run_case.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "adapt/adapt_loop.h"
+#include "adapt/checkpoint.h"
 #include "adapt/number_text.h"
 #include "adapt/outputs.h"
+#include "mesher/errors.h"
 
 namespace parmesan {
 namespace {
@@ -61,6 +67,34 @@ int number_of_threads(int asked) {
   return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+void say(const RunOptions& options, const std::string& line) {
+  if (options.progress && !options.quiet) options.progress(line);
+}
+
+// Nothing where the run was ended before its first checkpoint, or has not begun.
+std::optional<LoopState> state_to_resume(const std::string& path, std::uint64_t case_hash, const RunOptions& options) {
+  FoundCheckpoint found = find_checkpoint(path);
+  for (const std::string& problem : found.problems) say(options, problem);
+  if (!found.checkpoint) {
+    if (std::filesystem::exists(path + "/summary.json"))
+      throw FileError(path, 0, "this run has no checkpoint to go on from; --overwrite replaces it");
+    say(options, "there is no checkpoint to go on from: starting anew");
+    return std::nullopt;
+  }
+  if (found.checkpoint->case_hash != case_hash && !options.force) {
+    throw InputError(path + " holds the run of another case than this one (compare its case.json); --force goes on " +
+                     "with this case from there");
+  }
+  say(options,
+      "going on after iteration " + std::to_string(found.checkpoint->state.summary.iterations.back().iteration));
+  return std::move(found.checkpoint->state);
+}
+
+EarlierFiles earlier_files(const RunOptions& options, bool resumed) {
+  if (resumed) return EarlierFiles::GoOn;
+  return options.overwrite || options.resume ? EarlierFiles::Replace : EarlierFiles::Refuse;
+}
+
 int exit_code(const Summary& summary) {
   if (summary.stop_reason == StopReason::Interrupted) return was_interrupted;
   return summary.error_targets_declared && !summary.targets_met ? target_missed : 0;
@@ -76,14 +110,20 @@ std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const 
 }
 
 RunResult run_case(const Case& input, const RunOptions& options) {
-  RunFolder folder(options.out_dir.empty() ? input.name + ".out" : options.out_dir, input, options.overwrite);
+  const std::string path = options.out_dir.empty() ? input.name + ".out" : options.out_dir;
+  const std::uint64_t case_hash = checksum(input.resolved.dump());
+  const std::optional<LoopState> resumed = options.resume ? state_to_resume(path, case_hash, options) : std::nullopt;
+  RunFolder folder(path, input, earlier_files(options, resumed.has_value()));
   LoopOptions loop;
   loop.threads = number_of_threads(options.threads);
   loop.max_vertices = options.max_vertices;
   loop.interrupted = options.interrupted;
-  loop.observer = [&](const Iterate& iterate, const IterationRow& row) {
-    folder.write_iteration(iterate, row);
-    if (options.progress && !options.quiet) options.progress(progress_line(input, row));
+  loop.resume = resumed ? &*resumed : nullptr;
+  loop.observer = [&](const LoopState& state) {
+    const IterationRow& row = state.summary.iterations.back();
+    folder.write_iteration(state.last, row);
+    write_checkpoint(path, state, case_hash);
+    say(options, progress_line(input, row));
   };
   LoopResult run = adapt(input, loop);
   folder.finish(run.summary, run.last);

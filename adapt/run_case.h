@@ -15,6 +15,8 @@ namespace parmesan {
 struct RunOptions {
   std::string out_dir;  // empty: the case's name + ".out"
   bool overwrite = false;
+  bool resume = false;                               // go on from the last checkpoint in the folder
+  bool force = false;                                // resume though the case is another one
   int threads = 0;                                   // 0: all cores
   bool quiet = false;                                // no progress lines
   std::function<void(const std::string&)> progress;  // gets one line per iteration, without newline
@@ -32,8 +34,12 @@ struct RunResult {
 
 /// The adaptive loop of a case, with its output folder (INTERFACE: "What a run leaves in its folder").
 ///
-/// Errors: FileError (the folder exists, or cannot be written), ProblemError, GeometryError,
-/// MeshingError, SolveError, LimitError; then no final file (mesh.*, summary.json) is left.
+/// Every iteration leaves a checkpoint. With options.resume a run that was interrupted or killed comes to the end
+/// it would have come to, bit by bit but for times and memory; one without a checkpoint yet begins anew.
+///
+/// Errors: InputError (the run to be resumed is of another case), FileError (the folder exists, or cannot be written),
+/// ProblemError, GeometryError, MeshingError, SolveError, LimitError; then no final file (mesh.*, summary.json) is
+/// left.
 RunResult run_case(const Case& input, const RunOptions& options);
 
 /// Compares the last row of a run with the case's pass limits.

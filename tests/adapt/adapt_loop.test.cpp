@@ -107,7 +107,7 @@ TEST_CASE("an interrupt ends the loop after the row under way", "[adapt][loop]")
   std::atomic<bool> stop{false};
   LoopOptions options;
   options.interrupted = &stop;
-  options.observer = [&stop](const Iterate&, const IterationRow& row) { stop = row.iteration == 1; };
+  options.observer = [&stop](const LoopState& state) { stop = state.history.size() == 2; };
   const LoopResult run = adapt(interpolation_case("sin(6*x)*y^2", R"({"vertices": 5000})"), options);
   CHECK(run.summary.stop_reason == StopReason::Interrupted);
   CHECK(run.summary.iterations.size() == 2);

@@ -1,6 +1,7 @@
 #include <signal.h>
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/system/program.h"
@@ -95,4 +96,53 @@ TEST_CASE("the first Ctrl-C ends a run in order, with 128 + the signal", "[syste
   if (!read_file(folder / "out/summary.json").empty()) {
     CHECK(summary_of(folder / "out").at("stop_reason") == "interrupted");
   }
+}
+
+TEST_CASE("a run that was stopped or killed, and resumed, leaves the same mesh and solution", "[system][run][resume]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("layer.json", layer);
+  const int signal = GENERATE(SIGINT, SIGKILL);
+  const int milliseconds = GENERATE(60, 250, 700);
+  std::vector<std::string> words{"run", input, "--set", "/targets/vertices=3000", "-q", "--out"};
+  words.push_back(folder / "whole");
+  REQUIRE(run_program(words).exit_code == 0);
+  words.back() = folder / "broken";
+  run_program(words, folder.path(), {signal, milliseconds});
+  words.push_back("--resume");
+  const ProgramResult resumed = run_program(words);
+  INFO(resumed.err);
+  REQUIRE(resumed.exit_code == 0);
+  for (const char* name : {"mesh.mesh", "mesh.vtu", "iterations/002/metric.sol"}) {
+    INFO(name);
+    CHECK(read_file(folder / "whole/" + name) == read_file(folder / "broken/" + name));
+  }
+  const nlohmann::json whole = summary_of(folder / "whole"), broken = summary_of(folder / "broken");
+  CHECK(whole.at("stop_reason") == broken.at("stop_reason"));
+  CHECK(whole.at("iterations").size() == broken.at("iterations").size());
+}
+
+TEST_CASE("resume refuses the run of another case, unless forced", "[system][run][resume][errors]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("layer.json", layer);
+  REQUIRE(run_program({"run", input, "-q", "--out", folder / "out"}).exit_code == 0);
+  std::vector<std::string> words{"run", input, "--out", folder / "out", "--set", "/targets/vertices=1500", "--resume"};
+  const ProgramResult refused = run_program(words);
+  CHECK(refused.exit_code == 3);
+  CHECK_THAT(refused.err, Catch::Contains("--force"));
+  CHECK(summary_of(folder / "out").at("stop_reason") == "vertices");
+  words.push_back("--force");
+  CHECK(run_program(words).exit_code == 0);
+  CHECK(summary_of(folder / "out").at("iterations").back().at("vertices").get<int>() > 1300);
+}
+
+TEST_CASE("resume begins anew where nothing was begun, and keeps a run that has no checkpoint",
+          "[system][run][resume][errors]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("layer.json", layer);
+  const std::vector<std::string> words{"run", input, "-q", "--resume", "--out", folder / "out"};
+  REQUIRE(run_program(words).exit_code == 0);
+  std::filesystem::remove_all(folder / "out/checkpoint");
+  CHECK(run_program(words).exit_code == 7);
+  CHECK(summary_of(folder / "out").at("stop_reason") == "vertices");
+  CHECK(run_program({"run", input, "--resume", "--overwrite"}).exit_code == 2);
 }

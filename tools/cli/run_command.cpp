@@ -14,12 +14,16 @@ struct RunArguments {
   CaseOptions input;
   CommonOptions common;
   bool verify = false;
+  bool resume = false;
+  bool force = false;
 };
 
 RunOptions run_options(const RunArguments& arguments) {
   RunOptions options;
   options.out_dir = arguments.input.out_dir;
   options.overwrite = arguments.input.overwrite;
+  options.resume = arguments.resume;
+  options.force = arguments.force;
   options.threads = arguments.common.threads;
   options.quiet = arguments.common.quiet;
   options.max_vertices = arguments.common.limits.vertices;
@@ -43,6 +47,10 @@ Command add_run_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("run", "The adaptive loop: mesh, solve, estimate, remesh");
   const auto arguments = std::make_shared<RunArguments>();
   add_case_options(*app, arguments->input);
+  CLI::Option* resume = app->add_flag("--resume", arguments->resume,
+                                      "Go on from the last checkpoint of an interrupted run in the output folder");
+  resume->excludes(app->get_option("--overwrite"));
+  app->add_flag("--force", arguments->force, "With --resume: though the case has changed")->needs(resume);
   app->add_flag("--verify", arguments->verify, "Check the case's pass limits (\"expect\"); exit 9 when one is missed");
   add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);

@@ -1,0 +1,208 @@
+#include "adapt/checkpoint.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "adapt/archive.h"
+#include "mesher/errors.h"
+#include "mesher/io/output_file.h"
+
+namespace parmesan {
+
+// What an archive needs to know of each struct; found by argument-dependent lookup. A field that is left out here
+// is lost in a checkpoint: the test that resumes after each row sees to it.
+
+template <class Archive>
+void fields(Archive& archive, Point& p) {
+  archive(p.x, p.y);
+}
+
+template <class Archive>
+void fields(Archive& archive, Metric& m) {
+  SymmetricTensor t = m.tensor();
+  archive(t.xx, t.xy, t.yy);
+  m = Metric::from_tensor(t);
+}
+
+template <class Archive>
+void fields(Archive& archive, Mesh& m) {
+  archive(m.points, m.triangles, m.regions, m.edges, m.labels, m.label_names, m.region_names);
+}
+
+template <class Archive>
+void fields(Archive& archive, Misfits& m) {
+  archive(m.reason, m.count, m.place, m.worst);
+}
+
+template <class Archive>
+void fields(Archive& archive, Diagnosis& d) {
+  archive(d.num_triangles, d.long_edges, d.short_edges, d.poor_triangles);
+}
+
+template <class Archive>
+void fields(Archive& archive, GenerateReport& r) {
+  archive(r.start, r.start_reason, r.complexity, r.diagnosis, r.warnings);
+}
+
+template <class Archive>
+void fields(Archive& archive, StageSeconds& s) {
+  archive(s.mesh, s.solve, s.recover, s.measure, s.cpu);
+}
+
+template <class Archive>
+void fields(Archive& archive, Iterate& i) {
+  archive(i.mesh, i.relaxed, i.metrics, i.values, i.complexity, i.report, i.seconds);
+}
+
+template <class Archive>
+void fields(Archive& archive, SizeStep& s) {
+  archive(s.asked, s.vertices, s.error, s.adapted);
+}
+
+template <class Archive>
+void fields(Archive& archive, InterpolationLimit& l) {
+  archive(l.value, l.relative_error, l.degenerate_share);
+}
+
+template <class Archive>
+void fields(Archive& archive, ErrorNorms& e) {
+  archive(e.l1, e.l2, e.linf, e.h1, e.num_nonfinite);
+}
+
+template <class Archive>
+void fields(Archive& archive, EstimatedError& e) {
+  archive(e.l2, e.h1);
+}
+
+template <class Archive>
+void fields(Archive& archive, WorstElement& w) {
+  archive(w.center, w.quality);
+}
+
+template <class Archive>
+void fields(Archive& archive, IterationRow& r) {
+  archive(r.iteration, r.vertices, r.triangles, r.complexity, r.interpolation_error, r.efficiency, r.solution_error,
+          r.estimated_error, r.unit_edges, r.length_min, r.length_max, r.quality_min, r.quality_p01, r.quality_mean,
+          r.quality_min_away_from_corners, r.worst, r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
+}
+
+template <class Archive>
+void fields(Archive& archive, Summary& s) {
+  archive(s.case_name, s.seed, s.threads, s.stop_reason, s.error_targets_declared, s.targets_met, s.interpolation_limit,
+          s.warnings, s.iterations);
+}
+
+template <class Archive>
+void fields(Archive& archive, LoopState& s) {
+  archive(s.last, s.asked, s.unchanged, s.limits_bind, s.seconds, s.history, s.limit, s.summary);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Bytes in another order or another layout of the fields have another number here.
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'01;
+constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
+
+void check_indices(const Mesh& mesh) {
+  const auto sound = [n = mesh.num_vertices()](int v) { return v >= 0 && v < n; };
+  for (const auto& t : mesh.triangles)
+    if (!std::ranges::all_of(t, sound)) throw InputError("has triangles without vertices");
+  for (const auto& e : mesh.edges)
+    if (!std::ranges::all_of(e, sound)) throw InputError("has edges without vertices");
+}
+
+void check(const LoopState& state) {
+  const Iterate& last = state.last;
+  check_indices(last.mesh);
+  if (last.relaxed) check_indices(*last.relaxed);
+  const std::size_t n = last.mesh.points.size();
+  const bool agrees = last.metrics.size() == n && last.values.size() == n &&
+                      last.mesh.regions.size() == last.mesh.triangles.size() &&
+                      last.mesh.labels.size() == last.mesh.edges.size() && !state.history.empty() &&
+                      state.history.size() == state.summary.iterations.size();
+  if (!agrees) throw InputError("contradicts itself");
+}
+
+std::string read_bytes(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(path, error))) throw InputError("is not a regular file");
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (!stream.good() && !stream.eof()) throw InputError("cannot be read");
+  return bytes;
+}
+
+int last_row(const Checkpoint& checkpoint) { return checkpoint.state.summary.iterations.back().iteration; }
+
+}  // namespace
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+std::string encode_checkpoint(const LoopState& state, std::uint64_t case_hash) {
+  ArchiveWriter archive;
+  std::uint64_t number = format;
+  std::string version = PARMESAN_VERSION;
+  LoopState copy = state;
+  archive(number, version, case_hash, copy);
+  std::uint64_t sum = checksum(archive.bytes());
+  archive(sum);
+  return archive.bytes();
+}
+
+Checkpoint decode_checkpoint(std::string_view bytes) {
+  constexpr std::size_t sum_bytes = sizeof(std::uint64_t);
+  if (bytes.size() < sum_bytes) throw InputError("ends too early");
+  const std::string_view content = bytes.substr(0, bytes.size() - sum_bytes);
+  std::uint64_t number = 0, sum = 0;
+  std::string version;
+  ArchiveReader(bytes.substr(content.size()))(sum);
+  if (sum != checksum(content)) throw InputError("is damaged: its checksum is wrong");
+  ArchiveReader archive(content);
+  archive(number, version);
+  if (number != format || version != PARMESAN_VERSION) throw InputError("was written by another version of parmesan");
+  Checkpoint checkpoint;
+  archive(checkpoint.case_hash, checkpoint.state);
+  if (!archive.at_end()) throw InputError("goes on after its end");
+  check(checkpoint.state);
+  return checkpoint;
+}
+
+void write_checkpoint(const std::string& folder, const LoopState& state, std::uint64_t case_hash) {
+  const std::string path = folder + "/checkpoint";
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw FileError(path, 0, "cannot make the folder: " + error.message());
+  const int row = state.summary.iterations.back().iteration;
+  write_file(path + "/" + names[static_cast<std::size_t>(row % 2)], encode_checkpoint(state, case_hash), true);
+}
+
+FoundCheckpoint find_checkpoint(const std::string& folder) {
+  FoundCheckpoint found;
+  for (const char* name : names) {
+    const fs::path path = fs::path(folder) / "checkpoint" / name;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(path, error))) continue;
+    try {
+      Checkpoint candidate = decode_checkpoint(read_bytes(path));
+      if (!found.checkpoint || last_row(candidate) > last_row(*found.checkpoint)) {
+        found.checkpoint = std::move(candidate);
+      }
+    } catch (const InputError& problem) {
+      found.problems.push_back(path.string() + " " + problem.what());
+    }
+  }
+  return found;
+}
+
+}  // namespace parmesan
