@@ -9,6 +9,7 @@
 #include "adapt/adapt_loop.h"
 #include "adapt/number_text.h"
 #include "adapt/outputs.h"
+#include "adapt/report/report.h"
 #include "adapt/stopwatch.h"
 #include "mesher/errors.h"
 #include "mesher/io/output_file.h"
@@ -152,17 +153,19 @@ class Comparison {
   }
 
   void find_equivalents() {
-    std::vector<double> sizes, errors;
+    std::vector<double> sizes, seconds, errors;
     for (const CompareRow& row : result_.rows) {
       if (row.family != MeshFamily::Uniform) continue;
       sizes.push_back(static_cast<double>(row.vertices));
+      seconds.push_back(row.cpu_seconds);
       errors.push_back(row.leading_l2());
     }
     if (sizes.empty()) return;
     for (const CompareRow& row : result_.rows) {
       if (row.family == MeshFamily::Uniform) continue;
-      result_.equivalents.push_back(
-          {row.family, row.vertices, row.leading_l2(), size_for_error(sizes, errors, row.leading_l2())});
+      const double l2 = row.leading_l2();
+      result_.equivalents.push_back({row.family, row.vertices, row.cpu_seconds, l2, size_for_error(sizes, errors, l2),
+                                     size_for_error(seconds, errors, l2)});
     }
   }
 
@@ -202,6 +205,7 @@ CompareResult compare_case(const Case& input, const CompareOptions& options) {
   result.out_dir = folder;
   write_file(folder + "/compare.csv", compare_csv(result));
   write_file(folder + "/summary.json", to_json(result).dump(2) + "\n", true);
+  write_report(folder + "/report.html", {folder});
   return result;
 }
 

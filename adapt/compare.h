@@ -46,12 +46,14 @@ struct CompareRow {
   double leading_h1() const;
 };
 
-/// How many uniform vertices reach the L2 error of one adapted mesh.
+/// How many uniform vertices, and how much processor time for that mesh, reach the L2 error of one adapted mesh.
 struct UniformEquivalent {
   MeshFamily family = MeshFamily::Anisotropic;
   std::int64_t vertices = 0;
+  double cpu_seconds = 0.0;
   double l2 = 0.0;
   EqualError uniform;
+  EqualError uniform_cpu_seconds;
 };
 
 /// The name of a family in tables and files: "anisotropic", "isotropic", "uniform".

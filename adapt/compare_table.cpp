@@ -46,24 +46,29 @@ std::string orders(const CompareResult& result) {
 }
 
 std::string equivalent_text(const UniformEquivalent& e) {
-  const std::string size = short_number(std::round(e.uniform.vertices), 7);
+  const std::string size = short_number(std::round(e.uniform.size), 7);
   switch (e.uniform.found) {
     case EqualError::Found::Interpolated:
-      return size + " (interpolated), ratio " + short_number(e.uniform.vertices / static_cast<double>(e.vertices), 3);
+      return size + " (interpolated), ratio " + short_number(e.uniform.size / static_cast<double>(e.vertices), 3);
     case EqualError::Found::BelowSmallest:
       return "< " + size;
     case EqualError::Found::NotReached:
       return "> " + size + " (not reached), ratio > " +
-             short_number(e.uniform.vertices / static_cast<double>(e.vertices), 3);
+             short_number(e.uniform.size / static_cast<double>(e.vertices), 3);
   }
   return "";
 }
 
+std::string seconds_text(const UniformEquivalent& e) {
+  if (e.uniform_cpu_seconds.found != EqualError::Found::Interpolated) return "";
+  return "; " + short_number(e.uniform_cpu_seconds.size, 3) + " s against " + short_number(e.cpu_seconds, 3) + " s";
+}
+
 std::string equivalents(const CompareResult& result) {
-  std::string text = "\nuniform vertices for the same L2 error\n";
+  std::string text = "\nuniform vertices, and CPU time, for the same L2 error\n";
   for (const UniformEquivalent& e : result.equivalents) {
     text += "  " + std::string(to_string(e.family)) + padded(std::to_string(e.vertices), 10) + ": " +
-            equivalent_text(e) + "\n";
+            equivalent_text(e) + seconds_text(e) + "\n";
   }
   return text;
 }
@@ -72,9 +77,11 @@ Json equivalent_json(const UniformEquivalent& e) {
   const bool reached = e.uniform.found == EqualError::Found::Interpolated;
   return Json{{"family", to_string(e.family)},
               {"vertices", e.vertices},
+              {"cpu_seconds", number(e.cpu_seconds)},
               {"l2", number(e.l2)},
-              {"uniform_vertices", reached ? Json(e.uniform.vertices) : Json(nullptr)},
-              {"ratio", reached ? Json(e.uniform.vertices / static_cast<double>(e.vertices)) : Json(nullptr)},
+              {"uniform_vertices", reached ? Json(e.uniform.size) : Json(nullptr)},
+              {"uniform_cpu_seconds", reached ? number(e.uniform_cpu_seconds.size) : Json(nullptr)},
+              {"ratio", reached ? Json(e.uniform.size / static_cast<double>(e.vertices)) : Json(nullptr)},
               {"reached", e.uniform.found != EqualError::Found::NotReached}};
 }
 

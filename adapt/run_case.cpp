@@ -11,6 +11,7 @@
 #include "adapt/checkpoint.h"
 #include "adapt/number_text.h"
 #include "adapt/outputs.h"
+#include "adapt/report/report.h"
 #include "mesher/errors.h"
 
 namespace parmesan {
@@ -127,6 +128,7 @@ RunResult run_case(const Case& input, const RunOptions& options) {
   };
   LoopResult run = adapt(input, loop);
   folder.finish(run.summary, run.last);
+  write_report(path + "/report.html", {path});
   RunResult result;
   result.exit_code = exit_code(run.summary);
   result.out_dir = folder.path();

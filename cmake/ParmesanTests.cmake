@@ -49,3 +49,12 @@ if(Python3_FOUND)
            COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/thesis/reproduce --quick
                    --program $<TARGET_FILE:thesis_experiments> --out ${PROJECT_BINARY_DIR}/thesis.out)
 endif()
+
+# The report in a browser; says that it was skipped where Node, playwright-core or Chromium is missing.
+find_program(PARMESAN_NODE node)
+if(PARMESAN_NODE AND TARGET parmesan)
+  add_test(NAME browser/report COMMAND ${PARMESAN_NODE} ${PROJECT_SOURCE_DIR}/tests/browser/report.mjs
+                                       $<TARGET_FILE:parmesan> ${PROJECT_BINARY_DIR}/report_in_browser
+           WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(browser/report PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77)
+endif()

@@ -21,5 +21,6 @@ Command add_quality_command(CLI::App& program);
 Command add_convert_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
 Command add_schema_command(CLI::App& program);
+Command add_report_command(CLI::App& program);
 
 }  // namespace parmesan

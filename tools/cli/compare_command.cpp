@@ -34,7 +34,8 @@ ExitCode compare(const CompareArguments& arguments) {
   apply(arguments.common);
   const CompareResult result = compare_case(read_case(arguments.input, arguments.common), compare_options(arguments));
   if (!arguments.common.quiet) {
-    std::cout << escape_control(result.table, true) << "written: " << escape_control(result.out_dir) << "\n";
+    std::cout << escape_control(result.table, true) << "written: " << escape_control(result.out_dir)
+              << ", to be looked at in its report.html\n";
   }
   return static_cast<ExitCode>(result.interrupted ? interrupt_exit_code() : result.exit_code);
 }

@@ -59,10 +59,10 @@ parmesan::ExitCode run_program(int argc, char** argv) {
   program.require_subcommand(1);
   program.set_version_flag("--version", parmesan::version_text, "Print version, compiler and features");
   const std::vector<parmesan::Command> commands{
-      parmesan::add_run_command(program),   parmesan::add_compare_command(program),
-      parmesan::add_mesh_command(program),  parmesan::add_quality_command(program),
-      parmesan::add_check_command(program), parmesan::add_convert_command(program),
-      parmesan::add_schema_command(program)};
+      parmesan::add_run_command(program),    parmesan::add_compare_command(program),
+      parmesan::add_mesh_command(program),   parmesan::add_quality_command(program),
+      parmesan::add_check_command(program),  parmesan::add_convert_command(program),
+      parmesan::add_schema_command(program), parmesan::add_report_command(program)};
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -9,7 +9,7 @@
 #include "mesher/quality.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
-#include "tools/cli/histogram.h"
+#include "tools/cli/histogram_text.h"
 #include "tools/cli/results.h"
 
 namespace parmesan {

@@ -84,7 +84,7 @@ void print_summary(std::ostream& out, const RunResult& result) {
   out << escape_control(summary.case_name) << ": " << to_string(summary.stop_reason) << " after "
       << summary.iterations.size() << " iterations, targets " << (summary.targets_met ? "met" : "not met") << "\n";
   if (!summary.iterations.empty()) print_row(out, summary.iterations.back());
-  out << "written:             " << escape_control(result.out_dir) << "\n";
+  out << "written:             " << escape_control(result.out_dir) << ", to be looked at in its report.html\n";
 }
 
 bool all_passed(std::ostream& out, std::span<const Verdict> verdicts) {

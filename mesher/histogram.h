@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace parmesan {
@@ -17,8 +16,5 @@ Histogram histogram(std::span<const double> values, std::vector<double> bounds);
 /// n + 1 numbers from low to high with equal steps, or with equal ratios (low must be positive).
 std::vector<double> linear_bounds(double low, double high, int n);
 std::vector<double> geometric_bounds(double low, double high, int n);
-
-/// One line per bin: bounds, share, and a bar. Lines end in a line feed.
-std::string text(const Histogram& histogram);
 
 }  // namespace parmesan

@@ -1,0 +1,188 @@
+// Looks at report.html in Chromium: no console message, plots and mesh drawn, zoom works, hostile names stay text.
+//   node report.mjs PROGRAM FOLDER [keep]    writes below FOLDER; screenshots stay there with keep
+// Skipped, with 77, where playwright-core or Chromium is not found.
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [program, folder] = process.argv.slice(2, 4).map((path) => resolve(path));
+
+function skip(why) {
+  console.log(`skipped: ${why}`);
+  process.exit(77);
+}
+
+function playwright() {
+  const places = [process.env.PARMESAN_PLAYWRIGHT, process.cwd(), '/usr/lib'].filter(Boolean);
+  for (const place of places) {
+    try {
+      return createRequire(join(resolve(place), 'here.js'))('playwright-core');
+    } catch {}
+  }
+  skip('playwright-core is not installed (npm install playwright-core; PARMESAN_PLAYWRIGHT names the folder)');
+}
+
+let failures = 0;
+function check(holds, claim) {
+  if (!holds) ++failures;
+  console.log(`${holds ? 'ok    ' : 'FAILED'} ${claim}`);
+}
+
+const { chromium } = playwright();
+const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
+if (!executablePath) skip('there is no Chromium');
+
+rmSync(folder, { recursive: true, force: true });
+mkdirSync(folder, { recursive: true });
+
+const hostile = '</script><script>window.hacked=1</script><img src=x onerror="window.hacked=1"> & "quoted"';
+const front = {
+  name: 'front', title: hostile, 'x-note': '<!--<script>', geometry: { rectangle: { min: [0, 0], max: [1, 1] } },
+  parameters: { a: 20 },
+  problem: { exact: 'atan(a*(hypot(x + 0.05, y + 0.05) - 0.7))', boundary: { '*': { dirichlet: 'exact' } } },
+  targets: { l2_error: 2e-3 },
+};
+
+function parmesan(...words) {
+  execFileSync(program, words, { cwd: folder, stdio: 'pipe', env: { ...process.env, OMP_NUM_THREADS: '1' } });
+}
+
+writeFileSync(join(folder, 'front.json'), JSON.stringify(front));
+const strange = '<img src=x onerror=window.hacked=1>';
+parmesan('run', 'front.json', '--out', 'front', '-q');
+parmesan('run', 'front.json', '--out', strange, '-q', '--set', '/targets/l2_error=1e-2');
+parmesan('compare', 'front.json', '--out', 'compared', '--sizes', '300,900', '-q');
+parmesan('report', 'front', strange, 'compared', '-o', 'all.html', '-q');
+
+const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
+
+async function open(name, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.messages = [];
+  page.requests = [];
+  page.on('console', (message) => page.messages.push(message.text()));
+  page.on('pageerror', (error) => page.messages.push(String(error)));
+  page.on('request', (request) => page.requests.push(request.url()));
+  await page.goto(pathToFileURL(join(folder, name)).href);
+  await page.waitForTimeout(600);
+  return page;
+}
+
+const screenshot = (page, name, fullPage = true) => page.screenshot({ path: join(folder, `${name}.png`), fullPage });
+
+// How many colours the canvas shows, so that an empty one is noticed; and a number for what it shows.
+const looked = (page) => page.evaluate(() => {
+  const canvas = document.querySelector('canvas');
+  const copy = document.createElement('canvas');
+  Object.assign(copy, { width: canvas.width, height: canvas.height });
+  const context = copy.getContext('2d', { willReadFrequently: true });
+  context.drawImage(canvas, 0, 0);
+  const { data } = context.getImageData(0, 0, copy.width, copy.height);
+  const colours = new Set();
+  let sum = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const colour = data[i] * 65536 + data[i + 1] * 256 + data[i + 2];
+    colours.add(colour);
+    sum = (sum * 31 + colour) % 1000000007;
+  }
+  return { colours: colours.size, sum };
+});
+
+async function checkPage(page, name, numPlots) {
+  check(page.messages.length === 0, `${name}: no console message ${page.messages.join(' | ')}`);
+  check(page.requests.length === 1, `${name}: nothing is loaded but the page`);
+  check(await page.evaluate(() => window.hacked) === undefined, `${name}: nothing hostile ran`);
+  check(await page.locator('img').count() === 0, `${name}: names did not become elements`);
+  const marks = await page.locator('figure svg').count();
+  check(marks >= numPlots, `${name}: ${marks} plots, ${numPlots} expected`);
+  check(!(await page.evaluate(() => /NaN|undefined|Infinity/.test(document.body.innerHTML.replace(/<script[^]*?<\/script>/g, '')))),
+    `${name}: no NaN, Infinity or undefined`);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  check(wide <= 0, `${name}: the page does not scroll sideways (${wide} px)`);
+}
+
+{
+  const page = await open('front/report.html');
+  await checkPage(page, 'run', 6);
+  check(await page.locator('h1').textContent() === hostile, 'run: the title is shown as it is');
+  const rows = JSON.parse(readFileSync(join(folder, 'front/summary.json'))).iterations;
+  check(await page.locator('figure').first().locator('path.mark').count() === 3 * rows.length,
+    'run: the L2 plot marks solution, interpolant and estimate of every iteration');
+  check(await page.locator('.verdict.met').count() === 1, 'run: it says that the targets are met');
+  const start = await looked(page);
+  check(start.colours > 100, `run: the mesh is drawn, ${start.colours} colours`);
+  await screenshot(page, 'run-laptop');
+  const canvas = page.locator('canvas');
+  await canvas.scrollIntoViewIfNeeded();
+  await canvas.focus();
+  const scale = () => page.evaluate(() => views[0].scale);
+  const before = await scale();
+  await page.keyboard.press('+');
+  await page.waitForTimeout(200);
+  check(Math.abs(await scale() / before - 1.5) < 1e-9, 'run: + zooms by 1.5');
+  check((await looked(page)).sum !== start.sum, 'run: zooming changes the picture');
+  const box = await canvas.boundingBox();
+  const [px, py] = [box.width / 3, box.height / 3];
+  const placeThere = () => page.evaluate(([x, y]) => views[0].placeAt(x * views[0].ratio, y * views[0].ratio), [px, py]);
+  const kept = await placeThere();
+  await page.mouse.move(box.x + px, box.y + py);
+  await page.mouse.wheel(0, -300);
+  await page.waitForTimeout(200);
+  const still = await placeThere();
+  check(await scale() > 2 * before, 'run: the wheel zooms');
+  check(Math.hypot(kept[0] - still[0], kept[1] - still[1]) < 1e-3, 'run: the place below the pointer stays');
+  await page.mouse.down();
+  await page.mouse.move(box.x + px + 50, box.y + py + 20);
+  await page.mouse.up();
+  const dragged = await page.evaluate(([x, y]) => views[0].placeAt(x * views[0].ratio, y * views[0].ratio), [px + 50, py + 20]);
+  check(Math.hypot(kept[0] - dragged[0], kept[1] - dragged[1]) < 1e-3, 'run: dragging moves the mesh with the pointer');
+  check(/solution .*error .*quality/.test(await page.locator('output').textContent()), 'run: values below the pointer are told');
+  await page.keyboard.press('w');
+  await page.waitForTimeout(300);
+  const worst = rows.at(-1).worst_element;
+  const middle = await page.evaluate(() => [views[0].x, views[0].y]);
+  check(Math.hypot(middle[0] - worst.x, middle[1] - worst.y) < 1e-9, 'run: w goes to the worst element of summary.json');
+  await screenshot(page, 'worst', false);
+  await page.keyboard.press('0');
+  await page.waitForTimeout(300);
+  check((await looked(page)).sum === start.sum, 'run: 0 shows the first picture again');
+  for (const field of ['error', 'quality']) {
+    await page.locator(`input[value=${field}]`).check();
+    await page.waitForTimeout(200);
+    check((await looked(page)).sum !== start.sum, `run: colours by ${field}`);
+    await screenshot(page, `field-${field}`, false);
+  }
+}
+
+{
+  const page = await open('front/report.html', { viewport: { width: 390, height: 800 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true });
+  await checkPage(page, 'phone', 6);
+  await screenshot(page, 'run-phone');
+}
+
+{
+  const page = await open('front/report.html', { colorScheme: 'dark' });
+  await checkPage(page, 'dark', 6);
+  await screenshot(page, 'run-dark');
+}
+
+{
+  const page = await open('compared/report.html');
+  await checkPage(page, 'compare', 3);
+  check(await page.locator('.key').filter({ hasText: 'isotropic' }).count() >= 4, 'compare: the families are named');
+  await screenshot(page, 'compare-laptop');
+}
+
+{
+  const page = await open('all.html');
+  await checkPage(page, 'several', 3 + 2 * 4);
+  check(await page.locator('h2').nth(1).textContent() === `${strange}: ${hostile}`, 'several: a hostile folder stays text');
+  await screenshot(page, 'several');
+}
+
+await browser.close();
+console.log(failures ? `${failures} FAILED` : 'all passed');
+process.exit(failures ? 1 : 0);

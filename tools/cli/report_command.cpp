@@ -1,0 +1,40 @@
+#include <iostream>
+#include <memory>
+
+#include "adapt/report/report.h"
+#include "tools/cli/commands.h"
+#include "tools/cli/common_options.h"
+#include "tools/cli/escape.h"
+
+namespace parmesan {
+namespace {
+
+struct ReportArguments {
+  std::vector<std::string> folders;
+  std::string out;
+  CommonOptions common;
+};
+
+ExitCode report(const ReportArguments& arguments) {
+  apply(arguments.common);
+  std::string path = arguments.out;
+  if (path.empty()) path = arguments.folders.size() == 1 ? arguments.folders.front() + "/report.html" : "report.html";
+  write_report(path, arguments.folders);
+  if (!arguments.common.quiet) std::cout << "written: " << escape_control(path) << "\n";
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+Command add_report_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("report", "Writes report.html of a run or comparison, or of several");
+  const auto arguments = std::make_shared<ReportArguments>();
+  app->add_option("DIR", arguments->folders, "Folders of runs and comparisons")->required()->option_text("...");
+  app->add_option("-o,--out", arguments->out, "The page [report.html, in the folder when there is only one]")
+      ->option_text("FILE");
+  add_common_options(*app, arguments->common);
+  app->footer("Example: parmesan report coarse.out fine.out -o both.html");
+  return {app, [arguments] { return report(*arguments); }};
+}
+
+}  // namespace parmesan
