@@ -6,6 +6,7 @@
 #include "adapt/io/any_geometry.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/io/eps.h"
 #include "mesher/io/evolution.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"
@@ -136,10 +137,12 @@ bool meets(const Mesh& mesh, const MeshQuality& quality, const Requirements& req
 // As a picture the cells' outlines are enough.
 void write_voronoi(const std::string& path, const Mesh& mesh) {
   const Mesh cells = mesh_of(voronoi_diagram(mesh.points));
-  if (file_suffix(path) != ".svg") return write_mesh_file(path, cells);
-  SvgOptions options;
+  PictureOptions options;
   options.show_edges = false;
-  write_svg(path, cells, options);
+  const std::string suffix = file_suffix(path);
+  if (suffix == ".svg") return write_svg(path, cells, options);
+  if (suffix == ".eps") return write_eps(path, cells, options);
+  write_mesh_file(path, cells);
 }
 
 ExitCode mesh(const MeshArguments& arguments) {
