@@ -43,6 +43,8 @@ TEST_CASE("close isolated points get small sizes, and the mesh of such sizes is 
   const BackgroundMesh field = feature_size_field(domain);
   CHECK(size_at(field, {0.5, 0.5}) == Approx(0.005).epsilon(1e-6));
   CHECK(size_at(field, {0.1, 0.1}) > 0.03);
+  // With slow growth: at most 0.005 + ln(1.05) d at the distance d, and what log-Euclidean interpolation adds.
+  CHECK(size_at(feature_size_field(domain, {.growth = 1.05}), {0.01, 0.5}) < 0.005 + 0.05 * 0.5 + 0.005);
   const GenerateResult made = generate(domain, field);
   CHECK(oracle::problems_of(made.mesh) == std::vector<std::string>{});
   CHECK(measure_quality(made.mesh, made.metrics).quality_min > 0.3);

@@ -5,7 +5,9 @@
 #include <memory>
 #include <random>
 
+#include "mesher/geometry/predicates.h"
 #include "mesher/triangulation/check.h"
+#include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/triangulate.h"
 #include "tests/support/domains.h"
 
@@ -111,4 +113,43 @@ TEST_CASE("bound particles stay on their slanted segment, free ones inside", "[m
   CHECK(std::abs(cross(p - domain.points[0], domain.points[1] - domain.points[0])) < 1e-15);
   CHECK(p.x < 1.3);
   CHECK(check(particles.mesh()) == std::vector<std::string>{});
+}
+
+TEST_CASE("an edge whose middle rounds to the wrong side of a flat triangle is not split",
+          "[mesher][particles][thesis]") {
+  std::mt19937_64 engine(5);
+  const auto draw = [&] { return static_cast<double>(engine() % 100000) / 1e5; };
+  int refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Point a{draw(), draw()};
+    const Point b = a + Vector{0.1 + draw(), 0.1 + draw()};
+    Point apex = midpoint(a, b);
+    apex.y = std::nextafter(apex.y, 9.0);
+    Domain domain;
+    support::add_polygon(domain, {a, b, apex}, 1);
+    if (orient2d(a, b, apex) <= 0.0) continue;
+    const ConstantField field(Metric::isotropic(0.1));
+    ParticleSystem particles(from_mesh({domain.points, {{0, 1, 2}}, {0}, {{0, 1}, {1, 2}, {2, 0}}, {1, 2, 3}, {}, {}},
+                                       std::vector<int>{0, 1, 2}),
+                             domain, field);
+    for (std::int32_t q = 0; q < 3; ++q)
+      refused += create_at(particles, {4 * q}, CreationPlace::EdgeMidpoint) == no_vertex ? 1 : 0;
+    CHECK(check(particles.mesh()) == std::vector<std::string>{});
+  }
+  CHECK(refused > 0);
+}
+
+TEST_CASE("a circumcentre behind a constraint is no place for a particle", "[mesher][particles][thesis]") {
+  Domain domain = support::unit_square();
+  domain.points.insert(domain.points.end(), {{0.3, 0.2}, {0.7, 0.2}, {0.5, 0.15}, {0.4, 0.16}});
+  domain.segments.push_back({4, 5, 9});
+  const ConstantField field(Metric::isotropic(0.1));
+  ParticleSystem particles(triangulate(domain), domain, field);
+  EdgeId e = no_edge;
+  for_each_spoke(particles.mesh(), 4, [&](EdgeId spoke) {
+    if (particles.mesh().dest(spoke) == 6) e = spoke;
+  });
+  REQUIRE(e != no_edge);  // its larger triangle, with the segment, has its center at (0.5, 0.575)
+  const VertexId v = create_at(particles, e, CreationPlace::Circumcentre);
+  CHECK(particles.mesh().point(v).y < 0.2);
 }

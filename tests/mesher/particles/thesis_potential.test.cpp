@@ -47,6 +47,7 @@ TEST_CASE("potentials that attract and repel do so on either side of 1", "[meshe
 TEST_CASE("Shimada's force ends at 1.5, continuously", "[mesher][particles][thesis]") {
   const Potential potential(PotentialKind::Shimada, 1.0);
   CHECK(potential.derivative(1.5 - 1e-9) == Approx(0.0).margin(1e-8));
+  CHECK(potential.derivative(1.51) == 0.0);
   CHECK(potential.derivative(2.0) == 0.0);
 }
 
