@@ -98,3 +98,38 @@ TEST_CASE("a background without triangles is triangulated, and may be interpolat
   // Linear interpolation of h^-2 keeps the small size on a larger area.
   CHECK(vertices("linear") > 1.5 * vertices("log-euclidean"));
 }
+
+TEST_CASE("mesh without a size takes sizes from the geometry", "[system][mesh][thesis]") {
+  const TemporaryFolder folder;
+  // A unit square with a slit 0.02 wide from its right side to the middle.
+  const std::string slit =
+      folder.write("slit.poly",
+                   "8 2 0 0\n1 0 0\n2 1 0\n3 1 0.5\n4 0.5 0.5\n5 0.5 0.52\n6 1 0.52\n7 1 1\n8 0 1\n"
+                   "8 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 5 1\n5 5 6 1\n6 6 7 1\n7 7 8 1\n8 8 1 1\n0\n");
+  const ProgramResult result =
+      run_program({"mesh", slit, "-o", folder / "a.mesh", "--require", "unit=0.9,quality=0.3"});
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+  const int vertices = std::stoi(result.out);
+  const ProgramResult square = run_program({"mesh", folder.write("square.poly", square_poly), "-o", folder / "b.mesh"});
+  CHECK(vertices > 5 * std::stoi(square.out));
+}
+
+TEST_CASE("--align-boundary turns the metric beside segments", "[system][mesh][thesis]") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", square_poly);
+  const std::string mesh =
+      folder.write("bg.mesh", "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nEnd\n");
+  // Size 0.2 along the diagonal, 0.05 across.
+  const std::string tensor = "212.5 -187.5 212.5\n";
+  const std::string metric = folder.write("bg.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 4\n1 3\n" +
+                                                        tensor + tensor + tensor + tensor + "End\n");
+  std::vector<std::string> arguments{"mesh", square, "--background", mesh, "--metric", metric, "-o", folder / "a.mesh"};
+  REQUIRE(run_program(arguments).exit_code == 0);
+  const std::string plain = read_file(folder / "a.mesh");
+  arguments.insert(arguments.end(), {"--align-boundary", "3"});
+  REQUIRE(run_program(arguments).exit_code == 0);
+  CHECK(read_file(folder / "a.mesh") != plain);
+  arguments.back() = "-1";
+  CHECK(run_program(arguments).exit_code == 2);
+}

@@ -31,7 +31,7 @@ Item evolution(const Setting& setting) {
   GenerateOptions options = as_written();
   std::vector<std::int64_t> due{0, 50, 150, 400, 1000};
   std::vector<std::vector<double>> population;
-  double settled_at = 0.0;  // picks until the population last grew by one in a hundred
+  double settled_at = 0.0;  // picks until 99 % of the particles were there
   options.observer = [&](const ParticleSystem& particles, std::int64_t picks) {
     const double n = particles.mesh().num_vertices();
     const double step = 1.0 + static_cast<double>(picks);

@@ -61,7 +61,7 @@ TEST_CASE("wild moves, creations and annihilations keep every triangulation vali
   const Domain domain = support::square_with_everything();
   const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.2 * p.x, 0.3, 2.0 * p.y); });
   ParticleSystem particles(triangulate(domain), domain, field);
-  std::mt19937_64 engine(GENERATE(1, 2, 3));
+  std::mt19937_64 engine(GENERATE(1U, 2U, 3U));
   const auto draw = [&] { return static_cast<double>(engine() % 20001) / 1e4 - 1.0; };
   for (int i = 0; i < 3000; ++i) {
     const VertexId v = random_movable(particles, engine);

@@ -31,7 +31,7 @@ Metric curved_layer(const Point& p) {
 }  // namespace
 
 TEST_CASE("a uniform mesh as written settles soon, with unit edges of good quality", "[mesher][particles][thesis]") {
-  const std::uint64_t seed = GENERATE(1, 2);
+  const std::uint64_t seed = GENERATE(1U, 2U);
   const GenerateResult made =
       generate(support::unit_square(), ConstantField(Metric::isotropic(0.04)), as_written({}, seed));
   const ThesisReport& report = made.report.thesis.value();
