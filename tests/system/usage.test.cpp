@@ -23,18 +23,17 @@ TEST_CASE("each subcommand's help shows an example", "[system][usage]") {
 }
 
 TEST_CASE("wrong usage ends with 2 and one message on standard error", "[system][usage][errors]") {
-  const std::vector<std::string> arguments =
-      GENERATE(std::vector<std::string>{}, std::vector<std::string>{"meshh"}, std::vector<std::string>{"run"},
-               std::vector<std::string>{"run", "a.json", "--no-such-option"},
-               std::vector<std::string>{"mesh", "a.poly"},
-               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "-1"},
-               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--background", "b.mesh"},
-               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--preset", "best"},
-               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--require", "beauty=1"},
-               std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--limit", "vertices=many"},
-               std::vector<std::string>{"run", "a.json", "--set", "targets"},
-               std::vector<std::string>{"run", "a.json", "--threads", "0"},
-               std::vector<std::string>{"compare", "a.json", "--sizes", "10,x"});
+  const std::vector<std::string> arguments = GENERATE(
+      std::vector<std::string>{}, std::vector<std::string>{"meshh"}, std::vector<std::string>{"run"},
+      std::vector<std::string>{"run", "a.json", "--no-such-option"}, std::vector<std::string>{"mesh", "a.poly"},
+      std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "-1"},
+      std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--background", "b.mesh"},
+      std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--preset", "best"},
+      std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--require", "beauty=1"},
+      std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--limit", "vertices=many"},
+      std::vector<std::string>{"run", "a.json", "--set", "targets"},
+      std::vector<std::string>{"run", "a.json", "--threads", "0"},
+      std::vector<std::string>{"compare", "a.json", "--sizes", "10,x"});
   const ProgramResult result = run_program(arguments);
   CHECK(result.exit_code == 2);
   CHECK(result.out.empty());

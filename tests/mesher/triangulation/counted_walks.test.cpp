@@ -39,7 +39,8 @@ TEST_CASE("the walks stop at a vertex that is the point", "[mesher][triangulatio
   }
 }
 
-TEST_CASE("from random starts the automaton needs half the calls, and counts add up", "[mesher][triangulation][thesis]") {
+TEST_CASE("from random starts the automaton needs half the calls, and counts add up",
+          "[mesher][triangulation][thesis]") {
   std::vector<Point> sites = support::random_points(3000, 7);
   sites.insert(sites.end(), {{-2, -2}, {4, -2}, {-2, 4}});
   const Triangulation t = delaunay(sites).triangulation;
