@@ -16,7 +16,7 @@ namespace {
 
 constexpr double Tolerance = 1e-3;         // of the mean integral per triangle
 constexpr int MaxDepth = 14;               // of the subdivision
-constexpr std::size_t MaxParts = 100'000;  // of one level; a line on which the gradient is infinite asks for any number
+constexpr std::size_t MaxParts = 40'000;   // of one level; a line on which the gradient is infinite asks for any number
 constexpr int SkipDegree10Above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
 constexpr std::size_t NumPeaks = 64;       // triangles whose largest error is looked for more closely
 constexpr int PeakDepth = 3;               // levels of subdivision there

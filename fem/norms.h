@@ -30,7 +30,7 @@ std::vector<double> interpolate(const Mesh& mesh, const std::function<double(con
 ///
 /// Conical Gauss product with 6 x 6 points (degree 10), accepted where the degree 6 rule agrees on
 /// the integrals of e^2 and |grad e|^2 within 1e-3 of what a triangle contributes in the mean, else
-/// subdivided 1:4, at most 14 times, and as long as a level has at most 100 000 parts and one per triangle more.
+/// subdivided 1:4, at most 14 times, and as long as a level has at most 40 000 parts and one per triangle more.
 /// On meshes of more than 20000 triangles the degree 6 rule is
 /// enough where the degree 4 rule agrees ten times closer. linf is the largest |e| at the points
 /// used, and at those of a subdivision into 64 of the worst triangles.
