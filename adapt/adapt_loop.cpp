@@ -37,6 +37,20 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
+// "h_max at 12 vertices, gradation at 300 vertices"
+std::string limits_text(const ClippedSizes& clipped) {
+  std::string text;
+  const auto add = [&text](const char* name, std::int64_t count) {
+    if (count > 0)
+      text += (text.empty() ? "" : ", ") + std::string(name) + " at " + std::to_string(count) + " vertices";
+  };
+  add("h_min", clipped.h_min);
+  add("h_max", clipped.h_max);
+  add("max_aspect", clipped.aspect);
+  add("gradation", clipped.gradation);
+  return text;
+}
+
 /// Runs the loop from the state it is given, or from the start.
 class Loop {
  public:
@@ -63,6 +77,7 @@ class Loop {
       add_row();
       decision = decide();
     }
+    warn_of_size();
     warn_of_misfits();
     Summary& summary = state_.summary;
     summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
@@ -119,6 +134,18 @@ class Loop {
     SizeDecision decision = next_size(state_.history, goal_);
     if (!decision.stop) decision.stop = budget_spent();
     return decision;
+  }
+
+  // Where the size aimed at was not hit: by how much, and which limits changed sizes.
+  void warn_of_size() {
+    const IterationRow& last = state_.summary.iterations.back();
+    const auto got = static_cast<double>(last.vertices);
+    if (!goal_.vertices || std::abs(got - *goal_.vertices) <= size_tolerance * *goal_.vertices) return;
+    std::string sentence = "the mesh has " + std::to_string(last.vertices) + " vertices, not the " +
+                           std::to_string(*case_.targets.vertices) + " aimed at";
+    const std::string limits = limits_text(last.clipped);
+    if (!limits.empty()) sentence += "; limits changed its sizes: " + limits;
+    state_.summary.warnings.push_back(sentence);
   }
 
   // Of the last mesh only: those on the way to it are not what the user gets.

@@ -55,8 +55,13 @@ void fields(Archive& archive, StageSeconds& s) {
 }
 
 template <class Archive>
+void fields(Archive& archive, ClippedSizes& c) {
+  archive(c.h_min, c.h_max, c.aspect, c.gradation);
+}
+
+template <class Archive>
 void fields(Archive& archive, Iterate& i) {
-  archive(i.mesh, i.relaxed, i.metrics, i.values, i.complexity, i.report, i.seconds);
+  archive(i.mesh, i.relaxed, i.metrics, i.values, i.complexity, i.clipped, i.report, i.seconds);
 }
 
 template <class Archive>
@@ -86,9 +91,10 @@ void fields(Archive& archive, WorstElement& w) {
 
 template <class Archive>
 void fields(Archive& archive, IterationRow& r) {
-  archive(r.iteration, r.vertices, r.triangles, r.complexity, r.interpolation_error, r.efficiency, r.solution_error,
-          r.estimated_error, r.unit_edges, r.length_min, r.length_max, r.quality_min, r.quality_p01, r.quality_mean,
-          r.quality_min_away_from_corners, r.worst, r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
+  archive(r.iteration, r.vertices, r.triangles, r.complexity, r.clipped, r.interpolation_error, r.efficiency,
+          r.solution_error, r.estimated_error, r.unit_edges, r.length_min, r.length_max, r.quality_min, r.quality_p01,
+          r.quality_mean, r.quality_min_away_from_corners, r.worst, r.diagnosis, r.start, r.start_reason, r.seconds,
+          r.peak_memory_mb);
 }
 
 template <class Archive>

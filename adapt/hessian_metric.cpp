@@ -118,9 +118,9 @@ void count_clipped(std::span<const Eigen2> shapes, double factor, const MetricOp
   for (const Eigen2& e : shapes) {
     const double large = factor * std::max(e.l1, e.l2);
     const double small = factor * std::min(e.l1, e.l2);
-    if (small < low) ++result.clipped_h_max;
-    if (high > 0.0 && large > high) ++result.clipped_h_min;
-    if (large > options.max_aspect * options.max_aspect * std::max(small, low)) ++result.clipped_aspect;
+    if (small < low) ++result.clipped.h_max;
+    if (high > 0.0 && large > high) ++result.clipped.h_min;
+    if (large > options.max_aspect * options.max_aspect * std::max(small, low)) ++result.clipped.aspect;
   }
 }
 
@@ -201,7 +201,7 @@ HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHes
   double factor = 1.0;
   Gradation last = rescaled(mesh, shapes, request.complexity, options, factor);
   result.metrics = std::move(last.metrics);
-  result.graded = static_cast<std::size_t>(last.num_changed);
+  result.clipped.gradation = last.num_changed;
   result.complexity = complexity(mesh, result.metrics);
   count_clipped(shapes, factor, options, result);
   return result;

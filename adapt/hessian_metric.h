@@ -6,6 +6,7 @@
 
 #include "adapt/absolute_hessian.h"
 #include "adapt/case.h"
+#include "adapt/summary.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric.h"
 
@@ -27,7 +28,7 @@ struct HessianMetric {
   std::vector<Metric> metrics;
   double complexity = 0.0;  // reached; differs from the one asked for where the limits forbid it
   double floor = 0.0;       // smallest eigenvalue that |H| was given, in units of H
-  std::size_t clipped_h_min = 0, clipped_h_max = 0, clipped_aspect = 0, graded = 0;  // vertices
+  ClippedSizes clipped;     // vertices
 };
 
 /// Integral of sqrt(det M) over the mesh, log-Euclidean in between, by the 7-point rule of vertices,

@@ -129,6 +129,7 @@ Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& 
   const BackgroundMesh field(previous.mesh, metric.metrics);
   Iterate iterate = generated(input, field, previous.relaxed ? &*previous.relaxed : &previous.mesh, hessian);
   iterate.complexity = metric.complexity;
+  iterate.clipped = metric.clipped;
   return iterate;
 }
 
@@ -171,6 +172,7 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
   row.vertices = iterate.mesh.num_vertices();
   row.triangles = iterate.mesh.num_triangles();
   row.complexity = iterate.complexity;
+  row.clipped = iterate.clipped;
   row.start = iterate.report.start;
   row.start_reason = iterate.report.start_reason;
   row.diagnosis = iterate.report.diagnosis;

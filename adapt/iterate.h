@@ -27,6 +27,7 @@ struct Iterate {
   std::vector<Metric> metrics;  // asked of the mesher, re-evaluated at the vertices of the mesh
   std::vector<double> values;   // nodal values of the solution, or of the interpolant
   double complexity = 0.0;      // of the metric asked for
+  ClippedSizes clipped;         // by its limits
   GenerateReport report;        // of the mesher
   std::optional<SolveReport> solve_report;  // absent for an interpolant
   std::map<int, double> fluxes;             // of the solution out through each label

@@ -36,11 +36,16 @@ double gain_of_last_pass(std::span<const SizeStep> history) {
   return before.error * before.vertices / (history.back().error * history.back().vertices);
 }
 
-bool settled(std::span<const SizeStep> history, bool last_rung) {
+// Off the size aimed at by more than users are promised.
+bool is_off(const SizeStep& step, double aim) { return std::abs(step.vertices - aim) > size_tolerance * aim; }
+
+// aim: the size that the last rung is to hit, where it is one that is aimed at.
+bool settled(std::span<const SizeStep> history, bool last_rung, std::optional<double> aim) {
   const auto rung = history.subspan(rung_start(history));
   const auto passes = std::ranges::count_if(rung, &SizeStep::adapted);
   if (passes >= max_passes) return true;
   if (passes == 0 || history.size() < 2) return false;
+  if (aim && is_off(history.back(), *aim)) return false;
   const double gain = gain_of_last_pass(history);
   if (last_rung) return passes >= 3 && gain < settled_gain;
   if (rung_start(history) == 0) return passes >= 3 && gain < still_falling;
@@ -112,7 +117,8 @@ SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) 
   const bool aimless = !goal.error_targets && !goal.vertices && !goal.cap;
   const double wanted = std::min(wanted_size(history, goal), goal.cap.value_or(HUGE_VAL));
   const bool near_target = goal.error_targets && last.adapted && !at_cap && wanted <= same_size * last.asked;
-  if (!near_target && !settled(history, at_cap || at_size || aimless)) return {last.asked, std::nullopt};
+  const std::optional<double> aim = at_size ? goal.vertices : std::nullopt;
+  if (!near_target && !settled(history, at_cap || at_size || aimless, aim)) return {last.asked, std::nullopt};
   if (at_size) return {last.asked, StopReason::Vertices};
   if (at_cap) return {last.asked, StopReason::VertexBudget};
   if (aimless) return {last.asked, StopReason::Unchanged};

@@ -169,6 +169,10 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["vertices"] = row.vertices;
   j["triangles"] = row.triangles;
   j["complexity"] = number(row.complexity);
+  j["clipped"] = {{"h_min", row.clipped.h_min},
+                  {"h_max", row.clipped.h_max},
+                  {"aspect", row.clipped.aspect},
+                  {"gradation", row.clipped.gradation}};
   j["interpolation_error"] = norms(row.interpolation_error, true);
   j["efficiency"] = row.efficiency ? number(*row.efficiency) : Json(nullptr);
   j["solution_error"] = norms(row.solution_error, false);

@@ -40,6 +40,11 @@ struct WorstElement {
   double quality = 0.0;
 };
 
+/// At how many vertices of the mesh before a limit changed the sizes that the error asks for.
+struct ClippedSizes {
+  std::int64_t h_min = 0, h_max = 0, aspect = 0, gradation = 0;
+};
+
 /// Wall times of one iteration. Units: s.
 struct StageSeconds {
   double mesh = 0.0;
@@ -56,6 +61,7 @@ struct IterationRow {
   std::int64_t vertices = 0;
   std::int64_t triangles = 0;
   double complexity = 0.0;  // integral of sqrt(det M) of the metric asked for
+  ClippedSizes clipped;     // by the limits of that metric
   std::optional<ErrorNorms> interpolation_error;
   std::optional<double> efficiency;
   std::optional<ErrorNorms> solution_error;

@@ -103,6 +103,26 @@ TEST_CASE("size limits that forbid the target end the loop as stagnated", "[adap
   CHECK(run.summary.iterations.back().vertices < 2000);
 }
 
+TEST_CASE("the number of vertices aimed at is hit within 3 %, or limits are named", "[adapt][loop]") {
+  const std::string function = GENERATE("sin(6*x)*y^2", "tanh(20*(x - y^2))", "exp(-(x^2 + y^2)*5)");
+  Case input = interpolation_case(function, R"({"vertices": 2500})");
+  SECTION("without limits") {}
+  SECTION("gradation") { input.metric.gradation = 1.2; }
+  SECTION("aspect") { input.metric.max_aspect = 2.0; }
+  const LoopResult run = adapt(input, {});
+  INFO(function);
+  CHECK(std::abs(static_cast<double>(run.last.mesh.num_vertices()) / 2500.0 - 1.0) <= 0.03);
+}
+
+TEST_CASE("a size that limits forbid is warned of with their names", "[adapt][loop]") {
+  Case input = interpolation_case("sin(6*x)*y^2", R"({"vertices": 2500})");
+  input.metric.h_min = 0.05;
+  const LoopResult run = adapt(input, {});
+  CHECK(run.summary.iterations.back().clipped.h_min > 100);
+  REQUIRE_FALSE(run.summary.warnings.empty());
+  CHECK_THAT(run.summary.warnings.front(), Catch::Contains("not the 2500 aimed at") && Catch::Contains("h_min at "));
+}
+
 TEST_CASE("an interrupt ends the loop after the row under way", "[adapt][loop]") {
   std::atomic<bool> stop{false};
   LoopOptions options;

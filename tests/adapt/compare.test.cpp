@@ -41,8 +41,7 @@ TEST_CASE("compare_case ranks anisotropic before isotropic before uniform meshes
   SECTION("each adapted mesh has its uniform equivalent") {
     CHECK(result.equivalents.size() == 4);
     for (const UniformEquivalent& e : result.equivalents)
-      if (e.uniform.found == EqualError::Found::Interpolated)
-        CHECK(e.uniform.size > static_cast<double>(e.vertices));
+      if (e.uniform.found == EqualError::Found::Interpolated) CHECK(e.uniform.size > static_cast<double>(e.vertices));
   }
   SECTION("files and table have all rows") {
     CHECK(folder.has("compare.csv"));
