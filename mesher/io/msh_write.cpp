@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "mesher/io/byte_writer.h"
 #include "mesher/io/msh.h"
+#include "mesher/io/msh_numbers.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/picture/view.h"
 
@@ -48,52 +47,6 @@ std::vector<Group> groups_of(const std::vector<int>& labels, const LabelNames& n
   }
   return groups;
 }
-
-/// Writes numbers as text with blanks, or as bytes.
-class Numbers {
- public:
-  Numbers(OutputFile& out, Encoding encoding) : out_(out), bytes_(out), is_text_(encoding == Encoding::Text) {}
-
-  void integer(int value) {
-    if (is_text_) {
-      out_ << value << ' ';
-    } else {
-      bytes_.write(std::int32_t{value});
-    }
-  }
-
-  void size(std::size_t value) {
-    if (is_text_) {
-      out_ << value << ' ';
-    } else {
-      bytes_.write(static_cast<std::uint64_t>(value));
-    }
-  }
-
-  void real(double value) {
-    if (is_text_) {
-      out_ << value << ' ';
-    } else {
-      bytes_.write_finite(value);
-    }
-  }
-
-  /// Ends a row, which only text has.
-  void end_row() {
-    if (is_text_) out_ << '\n';
-  }
-
-  /// To be called after the last number of a section.
-  void finish() {
-    bytes_.flush();
-    if (!is_text_) out_ << '\n';
-  }
-
- private:
-  OutputFile& out_;
-  ByteWriter bytes_;
-  bool is_text_;
-};
 
 class MshWriter {
  public:
@@ -246,7 +199,7 @@ class MshWriter {
   }
 
   OutputFile out_;
-  Numbers numbers_;
+  MshNumbers numbers_;
   const Mesh& mesh_;
   Encoding encoding_;
   std::vector<Group> lines_;
