@@ -88,7 +88,7 @@ Domain polygon(const std::vector<Point>& corners) {
 Domain rectangle(double width, double height) { return polygon({{0, 0}, {width, 0}, {width, height}, {0, height}}); }
 
 void draw(const Setting& setting, const std::string& file, const Mesh& mesh) {
-  SvgOptions options;
+  PictureOptions options;
   options.width_px = 480;
   options.show_axes = false;
   write_svg(setting.folder + "/" + file, mesh, options);
