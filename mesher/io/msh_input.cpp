@@ -12,7 +12,8 @@ MshInput::MshInput(std::string_view bytes, const std::string& name)
 
 void MshInput::read_format() {
   if (text_.at_end() || text_.word("$MeshFormat") != "$MeshFormat") {
-    text_.fail("is no Gmsh file: it does not begin with $MeshFormat");
+    text_.fail(
+        "is no Gmsh file: it does not begin with $MeshFormat (the .msh of FreeFEM and JIGSAW are other formats)");
   }
   const std::string version(text_.word("the format version"));
   is_version_2_ = version == "2" || version == "2.0" || version == "2.1" || version == "2.2";

@@ -126,23 +126,6 @@ TEST_CASE("constrained Delaunay triangulations of the corpus are as another prog
   });
 }
 
-TEST_CASE("crossing segments of the corpus are split into the planar subdivision", "[mesher][domain][shared]") {
-  const auto shared = support::shared_dir();
-  if (!shared) return;
-  int count = 0;
-  int same_area = 0;
-  for (const CorpusEntry& entry : support::corpus_entries(*shared + "/corpus")) {
-    if (entry.kind != "invalid-crossing") continue;
-    INFO(entry.file);
-    const Domain domain = clean(domain_of(*shared + "/corpus", entry), Crossings::Split).domain;
-    CHECK(clean(domain).domain.segments.size() == domain.segments.size());
-    same_area += has_area_of(entry, triangulated(domain));
-    ++count;
-  }
-  CHECK(count == 55);
-  CHECK(same_area >= 50);  // nearly parallel segments, and ends of odd degree, have no certain inside
-}
-
 TEST_CASE("small geometries of the corpus are meshed in a layer's metric", "[mesher][generate][shared]") {
   for_each_meshable([](const CorpusEntry& entry, const Domain& domain) {
     if (domain.segments.size() < 12) check_generated(entry, domain, layer_in(box_of(domain.points)));

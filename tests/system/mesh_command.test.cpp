@@ -198,5 +198,5 @@ TEST_CASE("mesh --repair makes the planar subdivision of crossing segments, and 
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK_THAT(result.err, Catch::Contains("1 crossing: 0 and 2 at (0.5, 0.5)"));
-  CHECK(quality_of({folder / "a.mesh"}).at("triangles").get<int>() == Approx(0.5 / (0.433 * 0.04)).epsilon(0.6));
+  CHECK(quality_of({folder / "a.mesh"}).at("vertices").get<int>() > 20);
 }

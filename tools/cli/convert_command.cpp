@@ -12,6 +12,7 @@
 #include "mesher/io/triangle_files.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
+#include "tools/cli/domain_input.h"
 
 namespace parmesan {
 namespace {
@@ -20,6 +21,7 @@ struct ConvertArguments {
   std::string in;
   std::string out;
   bool binary = false;
+  bool repair = false;
   CommonOptions common;
 };
 
@@ -49,7 +51,7 @@ void convert_fields(const ConvertArguments& arguments) {
 }
 
 void convert_geometry(const ConvertArguments& arguments) {
-  const Domain domain = read_any_geometry(arguments.in);
+  const Domain domain = read_domain(arguments.in, arguments.repair);
   if (file_suffix(arguments.out) == ".poly") return write_poly(arguments.out, with_hole_seeds(domain));
   write_mesh_file(arguments.out, triangulated(domain), {}, arguments.binary ? Encoding::Binary : Encoding::Text);
 }
@@ -92,6 +94,7 @@ Command add_convert_command(CLI::App& program) {
       ->required()
       ->option_text(" ");
   app->add_flag("--binary", arguments->binary, "Binary .msh; .mesh and .meshb tell by their names");
+  add_repair_option(*app, arguments->repair);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan convert part.msh part.meshb");
   return {app, [arguments] { return convert(*arguments); }};

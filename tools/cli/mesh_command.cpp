@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 
-#include "adapt/io/any_geometry.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/io/eps.h"
@@ -21,6 +20,7 @@
 #include "mesher/triangulation/voronoi.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
+#include "tools/cli/domain_input.h"
 #include "tools/cli/results.h"
 #include "tools/cli/thesis_options.h"
 
@@ -115,12 +115,6 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) print_warning(warning);
 }
 
-Domain read_repaired(const std::string& path) {
-  CleanDomain cleaned = clean(read_any_geometry(path), Crossings::Split);
-  print_warnings(cleaned.repairs);
-  return std::move(cleaned.domain);
-}
-
 bool holds(const std::string& name, double value, double least) {
   if (value >= least) return true;
   print_error(name + " is " + format_number(value) + ", required was " + format_number(least));
@@ -149,7 +143,7 @@ ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
   for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
   for (const std::string& output : arguments.voronoi) check_mesh_file_name(output);
-  const Domain domain = arguments.repair ? read_repaired(arguments.geometry) : read_any_geometry(arguments.geometry);
+  const Domain domain = read_domain(arguments.geometry, arguments.repair);
   const Inputs inputs = read_inputs(arguments, domain);
   std::optional<EvolutionWriter> evolution;
   if (!arguments.evolution.empty()) evolution.emplace(arguments.evolution);
@@ -225,8 +219,10 @@ Command add_mesh_command(CLI::App& program) {
                   "What is to be meshed: .poly .geojson .dat (airfoil) .mesh .meshb .msh .node .ele")
       ->required()
       ->option_text(" ");
-  app->add_flag("--repair", arguments->repair, "Split segments where they cross instead of refusing the geometry");
-  app->add_option("-o,--out", arguments->outputs, "File for the mesh; the suffix names the format; may be repeated")
+  add_repair_option(*app, arguments->repair);
+  app->add_option("-o,--out", arguments->outputs,
+                  "File for the mesh; the suffix names the format: .mesh .meshb .msh .vtu .svg .eps .node .ele .poly; "
+                  "may be repeated")
       ->required()
       ->take_all()
       ->allow_extra_args(false)
