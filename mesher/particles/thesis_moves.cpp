@@ -111,7 +111,8 @@ VertexId create_at_circumcentre(ParticleSystem& particles, EdgeId e) {
   const VertexId c = mesh.dest(mesh.onext(side));
   const Metric m = mean(particles.metric(a), particles.metric(b), particles.metric(c));
   const Point p = circumcentre(mesh.point(a), mesh.point(b), mesh.point(c), m);
-  if (!sees(mesh, c, p)) return no_vertex;
+  for (const VertexId corner : {a, b, c})  // one that ends a segment sees both sides of it
+    if (!sees(mesh, corner, p)) return no_vertex;
   const Location where = locate(mesh, p, side);
   if (where.hit == Hit::Face) return particles.create_in_face(where.edge, p);
   return where.hit == Hit::Edge && !mesh.is_constrained(where.edge) ? particles.create_on_edge(where.edge, p)

@@ -12,7 +12,7 @@ namespace parmesan {
 /// in place, by the star. A bound particle slides along its segment, always in place. Returns the displacement.
 Vector relocate(ParticleSystem& particles, VertexId v, const Vector& step, Relocation how);
 
-/// Creates a particle on e or, at a circumcentre, in the larger triangle beside it where it can be seen from there.
+/// Creates a particle on e or, at a circumcentre, of the larger triangle beside it where all its corners see that.
 /// Returns its vertex; no_vertex where no valid place was found.
 VertexId create_at(ParticleSystem& particles, EdgeId e, CreationPlace place);
 

@@ -36,14 +36,18 @@ Item running_time(const Setting& setting) {
   const double ratio = written.seconds / written.vertices() / (fast.seconds / fast.vertices());
   GenerateOptions least;
   least.preset = Preset::Fast;
-  const Run quickest = run(domain, *metric_of_thesis(sizes.back() / particles_per_factor), least);
+  const auto best_of_three = [&](double Run::*time) {
+    Run best;
+    for (int i = 0; i < 3; ++i) {
+      Run again = run(domain, *metric_of_thesis(sizes.back() / particles_per_factor), least);
+      if (i == 0 || again.*time < best.*time) best = std::move(again);
+    }
+    return best;
+  };
+  const Run quickest = best_of_three(&Run::seconds);
   const double ratio_of_least = written.seconds / written.vertices() / (quickest.seconds / quickest.vertices());
   use_threads(0);
-  Run threaded = run(domain, *metric_of_thesis(sizes.back() / particles_per_factor), least);
-  for (int i = 0; i < 2; ++i) {
-    Run again = run(domain, *metric_of_thesis(sizes.back() / particles_per_factor), least);
-    if (again.elapsed < threaded.elapsed) threaded = std::move(again);
-  }
+  const Run threaded = best_of_three(&Run::elapsed);
   use_threads(1);
   const double ratio_elapsed = written.elapsed / written.vertices() / (threaded.elapsed / threaded.vertices());
   const double better = quickest.quality.quality_mean - written.quality.quality_mean;
@@ -69,10 +73,10 @@ Item running_time(const Setting& setting) {
       "the schedule as written gains from exact predicates with a filter, slots that are used again and "
       "large caches: 6 us per pick here";
   item.add("CPU time per particle, as written over fast (default preset, one thread)" + at, nullptr, ratio, why);
-  item.add("CPU time per particle, as written over fast (preset fast, one thread)" + at, nullptr, ratio_of_least, why);
-  item.add("elapsed time per particle, as written over fast (preset fast, all threads)" + at, nullptr, ratio_elapsed,
-           "picks in random order cannot be made by several threads; the best of three runs",
+  item.add("CPU time per particle, as written over fast (preset fast, one thread)" + at, nullptr, ratio_of_least, why,
            setting.quick ? Law{} : Law{.min = 50.0});
+  item.add("elapsed time per particle, as written over fast (preset fast, all threads)" + at, nullptr, ratio_elapsed,
+           "picks in random order cannot be made by several threads; the best of three runs, on a machine left alone");
   item.add("mean quality, fast (preset fast) less as written" + at, nullptr, better, "",
            {.min = setting.quick ? -0.01 : 0.0});
   item.add("unit edges, fast (preset fast) less as written, %" + at, nullptr, better_unit, "",
