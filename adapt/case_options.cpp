@@ -50,9 +50,6 @@ void read_targets(CaseReading& reading, const Json& section, Case& result) {
   targets.max_vertices = optional_count(section, "max_vertices");
   targets.max_iterations = static_cast<int>(section["max_iterations"].get<double>());
   targets.max_seconds = optional_number(section, "max_seconds");
-  if (targets.linf_error && !result.exact) {
-    reading.issues.add("/targets/linf_error", "needs problem.exact: the largest error cannot be estimated");
-  }
   if (targets.vertices && targets.max_vertices && *targets.vertices > *targets.max_vertices) {
     reading.issues.add("/targets/vertices", "must not be larger than 'max_vertices'");
   }

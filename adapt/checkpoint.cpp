@@ -81,7 +81,7 @@ void fields(Archive& archive, ErrorNorms& e) {
 
 template <class Archive>
 void fields(Archive& archive, EstimatedError& e) {
-  archive(e.l2, e.h1);
+  archive(e.l2, e.h1, e.linf);
 }
 
 template <class Archive>

@@ -193,10 +193,11 @@ ErrorNorms targeted_error(const Case& input, const IterationRow& row) {
   if (input.interpolation) return row.interpolation_error.value_or(ErrorNorms{});
   if (row.solution_error) return *row.solution_error;
   ErrorNorms estimated;
-  estimated.l1 = estimated.linf = std::numeric_limits<double>::quiet_NaN();
+  estimated.l1 = std::numeric_limits<double>::quiet_NaN();
   if (row.estimated_error) {
     estimated.l2 = row.estimated_error->l2;
     estimated.h1 = row.estimated_error->h1;
+    estimated.linf = row.estimated_error->linf;
   }
   return estimated;
 }

@@ -66,7 +66,7 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
                      const std::optional<InterpolationLimit>& limit);
 
 /// The error norms that the case's targets are about: of the solution where it is known, the
-/// estimate for a PDE without exact solution, of the interpolant for interpolation. linf of an
+/// estimate for a PDE without exact solution, of the interpolant for interpolation. l1 of an
 /// estimate is NaN.
 ErrorNorms targeted_error(const Case& input, const IterationRow& row);
 

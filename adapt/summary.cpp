@@ -23,7 +23,13 @@ Json norms(const std::optional<ErrorNorms>& e, bool with_l1) {
 
 Json estimate(const std::optional<EstimatedError>& e) {
   if (!e) return nullptr;
-  return Json{{"l2", number(e->l2)}, {"h1", number(e->h1)}};
+  return Json{{"l2", number(e->l2)}, {"h1", number(e->h1)}, {"linf", number(e->linf)}};
+}
+
+// Estimated over true error.
+Json effectivity(const std::optional<EstimatedError>& estimated, const std::optional<ErrorNorms>& error) {
+  if (!estimated || !error) return nullptr;
+  return Json{{"l2", number(estimated->l2 / error->l2)}, {"h1", number(estimated->h1 / error->h1)}};
 }
 
 Json solver(const std::optional<SolveReport>& r) {
@@ -83,7 +89,7 @@ struct Column {
   const char* pointer;
 };
 
-constexpr std::array<Column, 33> columns{{
+constexpr std::array<Column, 36> columns{{
     {"iteration", "/iteration"},
     {"vertices", "/vertices"},
     {"triangles", "/triangles"},
@@ -98,6 +104,9 @@ constexpr std::array<Column, 33> columns{{
     {"solution_h1", "/solution_error/h1"},
     {"estimated_l2", "/estimated_error/l2"},
     {"estimated_h1", "/estimated_error/h1"},
+    {"estimated_linf", "/estimated_error/linf"},
+    {"effectivity_l2", "/effectivity/l2"},
+    {"effectivity_h1", "/effectivity/h1"},
     {"goal_value", "/goal/value"},
     {"goal_estimate", "/goal/estimate"},
     {"unit_edges", "/unit_edges"},
@@ -177,6 +186,7 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["efficiency"] = row.efficiency ? number(*row.efficiency) : Json(nullptr);
   j["solution_error"] = norms(row.solution_error, false);
   j["estimated_error"] = estimate(row.estimated_error);
+  j["effectivity"] = effectivity(row.estimated_error, row.solution_error);
   j["goal"] = nullptr;
   j["solver"] = solver(row.solve_report);
   j["bounds"] = bounds(row.solve_report);

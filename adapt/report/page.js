@@ -56,9 +56,9 @@ function verdict(summary) {
 }
 
 function iterationTable(rows) {
-  const heads = ['#', 'vertices', 'triangles', 'L2', 'H1', 'L2 interp.', 'efficiency', 'unit edges', 'quality', 'lowest', 'started from', 's', 'MB'];
+  const heads = ['#', 'vertices', 'triangles', 'L2', 'H1', 'estimate / H1', 'L2 interp.', 'efficiency', 'unit edges', 'quality', 'lowest', 'started from', 's', 'MB'];
   return table('Iterations', heads, rows.map((r) => [r.iteration, r.vertices, r.triangles, shown(leading(r, 'l2')),
-    shown(leading(r, 'h1')), shown(r.interpolation_error?.l2), shown(r.efficiency), `${shown(100 * r.unit_edges, 4)} %`,
+    shown(leading(r, 'h1')), shown(r.effectivity?.h1, 3), shown(r.interpolation_error?.l2), shown(r.efficiency), `${shown(100 * r.unit_edges, 4)} %`,
     shown(r.quality?.mean, 3), shown(r.quality?.min, 2), (r.start ?? '').replaceAll('_', ' '), shown(r.seconds?.total, 3),
     shown(r.peak_memory_mb, 4)].map(String)));
 }

@@ -123,6 +123,17 @@ TEST_CASE("a size that limits forbid is warned of with their names", "[adapt][lo
   CHECK_THAT(run.summary.warnings.front(), Catch::Contains("not the 2500 aimed at") && Catch::Contains("h_min at "));
 }
 
+TEST_CASE("a largest error is aimed at by its estimate where no exact solution is known", "[adapt][loop]") {
+  const Case input = parse_case(R"json({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+      "problem": {"source": "2*pi^2*sin(pi*x)*sin(pi*y)", "boundary": {"*": {"dirichlet": 0}}},
+      "targets": {"linf_error": 4e-3}, "initial": {"vertices": 100}})json",
+                                "test.json");
+  const LoopResult run = adapt(input, {});
+  CHECK(run.summary.stop_reason == StopReason::ErrorTarget);
+  const auto exact = [](const Point& p) { return std::sin(M_PI * p.x) * std::sin(M_PI * p.y); };  // solves it
+  CHECK(error_norms(run.last.mesh, run.last.values, {exact, {}}).linf < 2 * 4e-3);
+}
+
 TEST_CASE("an interrupt ends the loop after the row under way", "[adapt][loop]") {
   std::atomic<bool> stop{false};
   LoopOptions options;

@@ -105,7 +105,6 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
   CHECK_THAT(issues_with(R"(, "metric": {"gradation": 0.9})"), Catch::Contains("above 1"));
   CHECK_THAT(issues_with(R"(, "metric": {"h_min": 2, "h_max": 1})"), Catch::Contains("larger than 'h_max'"));
   CHECK_THAT(issues_with(R"(, "metric": {"recovery": "exact"})"), Catch::Contains("needs the exact solution"));
-  CHECK_THAT(issues_with(R"(, "targets": {"linf_error": 1})"), Catch::Contains("needs problem.exact"));
   CHECK_THAT(issues_with(R"(, "targets": {"vertices": 9, "max_vertices": 8})"), Catch::Contains("larger"));
   CHECK_THAT(issues_with(R"(, "expect": {"efficency": {"max": 1}})"), Catch::Contains("did you mean 'efficiency'"));
   CHECK_THAT(issues_with(R"(, "expect": {"targets_met": {"max": 1}})"), Catch::Contains("true or false"));

@@ -31,9 +31,10 @@ TEST_CASE("summary.json has every field that users rely on", "[adapt][summary]")
     CHECK(json.contains(key));
   CHECK(json["stop_reason"] == "vertex_budget");
   const nlohmann::ordered_json& row = json["iterations"][0];
-  for (const char* key : {"iteration", "vertices", "triangles", "complexity", "interpolation_error", "efficiency",
-                          "solution_error", "estimated_error", "goal", "unit_edges", "edge_length", "quality",
-                          "worst_element", "misfits", "start", "start_reason", "seconds", "peak_memory_mb"})
+  for (const char* key : {"iteration",  "vertices",       "triangles",       "complexity",  "interpolation_error",
+                          "efficiency", "solution_error", "estimated_error", "effectivity", "clipped",
+                          "goal",       "unit_edges",     "edge_length",     "quality",     "worst_element",
+                          "misfits",    "start",          "start_reason",    "seconds",     "peak_memory_mb"})
     CHECK(row.contains(key));
   CHECK(row["interpolation_error"]["linf"] == 2.0);
   CHECK(row["seconds"]["total"] == 0.25);

@@ -51,7 +51,7 @@ void print_row(std::ostream& out, const IterationRow& row) {
   print_norms(out, "interpolation error: ", row.interpolation_error);
   if (row.estimated_error) {
     out << "estimated error:     L2 " << format_number(row.estimated_error->l2) << ", H1 "
-        << format_number(row.estimated_error->h1) << "\n";
+        << format_number(row.estimated_error->h1) << ", max " << format_number(row.estimated_error->linf) << "\n";
   }
   if (row.efficiency) out << "efficiency:          " << format_number(*row.efficiency) << "\n";
   if (row.solve_report) print_solve(out, *row.solve_report);
