@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tests/system/program.h"
 
+using Json = nlohmann::json;
 using parmesan::support::ProgramResult;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
@@ -19,6 +22,18 @@ std::vector<std::string> case_files() {
   return files;
 }
 
+Json read_json(const std::string& file) {
+  std::ifstream stream(file);
+  return Json::parse(stream, nullptr, true, true);
+}
+
+/// The vertices a case aims at, or may need.
+double size_of(const Json& full) {
+  const Json& targets = full["targets"];
+  if (targets.contains("vertices")) return targets["vertices"];
+  return full["expect"]["vertices"]["max"];
+}
+
 }  // namespace
 
 TEST_CASE("every case that comes along is valid", "[system][cases]") {
@@ -28,6 +43,33 @@ TEST_CASE("every case that comes along is valid", "[system][cases]") {
   const ProgramResult result = run_program(arguments);
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
+}
+
+TEST_CASE("every case, small, is as accurate as its pass limits say of the full one", "[system][cases]") {
+  // Errors fall at most like 1 / vertices in L2: limits on them are scaled by the ratio of the sizes, with a factor of
+  // 4 for layers that a small mesh does not resolve.
+  constexpr double Slack = 4.0;
+  for (const std::string& file : case_files()) {
+    INFO(file);
+    const Json full = read_json(file);
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run_program({"run", file, "--out", folder / "out", "-q", "--set",
+                     R"(/targets={"vertices": 1500, "max_iterations": 9})", "--set", R"(/mesher/preset="fast")"},
+                    folder.path());
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    const Json row = read_json(folder / "out/summary.json")["iterations"].back();
+    CHECK(row["vertices"] < 3000);
+    if (!row["solver"].is_null()) CHECK(row["solver"]["backward_error"] <= 1e-10);
+    for (const auto& [name, limit] : full["expect"].items()) {
+      const bool l2 = name == "solution_error.l2" || name == "estimated_error.l2";
+      const std::string pointer = "/" + name.substr(0, name.find('.')) + "/l2";
+      if (!l2) continue;
+      const double ratio = size_of(full) / row["vertices"].get<double>();
+      CHECK(row[Json::json_pointer(pointer)] <= Slack * std::max(1.0, ratio) * limit["max"].get<double>());
+    }
+  }
 }
 
 TEST_CASE("every case that comes along meets its own pass limits", "[system][cases][slow]") {
