@@ -49,7 +49,11 @@ std::vector<BadCase> bad_cases() {
            "targets": {"vertices": 200, "max_iterations": 2}})json",
        3,
        {}},
-      {"pure Neumann data that do not balance", poisson(R"("*": {"neumann": 0})"), 3, {}},
+      {"pure Neumann data that do not balance", poisson(R"("*": {"neumann": 0})"), 3, {"add up to 1,"}},
+      {"point source outside of the domain",
+       poisson(fixed + R"(}, "point_sources": [{"at": [2, 0.5], "strength": 1}], "x-": {)"),
+       3,
+       {"(2, 0.5)", "outside"}},
       {"crossing segments", bow_tie(), 4, {"0.5"}},
       {"aim beyond the safety limit", poisson(fixed), 8, {"vertices"}, {"--limit", "vertices=50"}},
   };
