@@ -60,8 +60,20 @@ void fields(Archive& archive, ClippedSizes& c) {
 }
 
 template <class Archive>
+void fields(Archive& archive, SolutionBounds& b) {
+  archive(b.lower, b.upper);
+}
+
+template <class Archive>
+void fields(Archive& archive, SolveReport& r) {
+  archive(r.solver, r.unknowns, r.iterations, r.backward_error, r.peclet_min, r.peclet_max, r.null_components,
+          r.compatibility_mismatch, r.minimum, r.maximum, r.bounds);
+}
+
+template <class Archive>
 void fields(Archive& archive, Iterate& i) {
-  archive(i.mesh, i.relaxed, i.metrics, i.values, i.complexity, i.clipped, i.report, i.seconds);
+  archive(i.mesh, i.relaxed, i.metrics, i.values, i.complexity, i.clipped, i.report, i.solve_report, i.fluxes,
+          i.seconds);
 }
 
 template <class Archive>
@@ -92,9 +104,9 @@ void fields(Archive& archive, WorstElement& w) {
 template <class Archive>
 void fields(Archive& archive, IterationRow& r) {
   archive(r.iteration, r.vertices, r.triangles, r.complexity, r.clipped, r.interpolation_error, r.efficiency,
-          r.solution_error, r.estimated_error, r.unit_edges, r.length_min, r.length_max, r.quality_min, r.quality_p01,
-          r.quality_mean, r.quality_min_away_from_corners, r.worst, r.diagnosis, r.start, r.start_reason, r.seconds,
-          r.peak_memory_mb);
+          r.solution_error, r.estimated_error, r.solve_report, r.fluxes, r.functionals, r.unit_edges, r.length_min,
+          r.length_max, r.quality_min, r.quality_p01, r.quality_mean, r.quality_min_away_from_corners, r.worst,
+          r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
 }
 
 template <class Archive>
@@ -113,7 +125,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Bytes in another order or another layout of the fields have another number here.
-constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'01;
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'02;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
 
 void check_indices(const Mesh& mesh) {
