@@ -54,11 +54,15 @@ function problemInWords(problem = {}) {
   return words;
 }
 
+function mesherInWords({thesis, ...options} = {}) {
+  return listed(options.schedule === 'thesis' ? {...options, ...thesis} : options);
+}
+
 // Pairs of a term and what it is in this case.
 function caseInWords(input) {
   const words = [['Domain', geometryInWords(input.geometry)], ...problemInWords(input.problem)];
   if (input.parameters && Object.keys(input.parameters).length) words.push(['Parameters', listed(input.parameters)]);
   words.push(['Targets', listed(input.targets ?? {}) || 'none'], ['Metric', listed(input.metric ?? {})],
-    ['Mesher', listed(input.mesher ?? {})]);
+    ['Mesher', mesherInWords(input.mesher)]);
   return words;
 }
