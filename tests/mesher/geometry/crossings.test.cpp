@@ -118,5 +118,5 @@ TEST_CASE("Files of the corpus that cross are repaired to their even-odd domain"
     if (!is_ambiguous(entry)) CHECK(oracle::area_of(mesh) == Approx(even_odd_area(entry)).epsilon(1e-9).margin(2e-14));
     ++count;
   }
-  CHECK(count == 53);
+  CHECK(count == 51);
 }
