@@ -11,6 +11,7 @@
 #include "mesher/particles/error_descent.h"
 #include "mesher/particles/fast_schedule.h"
 #include "mesher/particles/metric_flips.h"
+#include "mesher/particles/population.h"
 #include "mesher/particles/previous_mesh.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/ordering.h"
@@ -74,8 +75,28 @@ Mesh in_local_order(Mesh mesh) {
   return reordered(mesh, local_order(mesh));
 }
 
+// The rules of population leave the density free by some percent, and refinement keeps it. It is put right on the
+// coarsest mesh, where that costs nothing, by asking for more or less than is wanted.
+void match_density(ParticleSystem& particles, const ParticleSystem::Level& level, const FastScheduleOptions& effort) {
+  constexpr int max_tries = 4;
+  constexpr double close = 0.01;
+  constexpr double most = 1.25;
+  double factor = 1.0;
+  for (int i = 0; i < max_tries; ++i) {
+    particles.set_level(level);
+    const double area = area_per_particle(particles);
+    if (std::abs(area - 1.0) < close) return;
+    factor = std::clamp(factor * area, 1.0 / most, most);
+    particles.set_level({factor * level.scale, level.isotropic});
+    run_fast_schedule(particles, effort);
+  }
+  particles.set_level(level);
+}
+
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
+// Coarse levels are relaxed even where their population is right: what is out of order there stays so when
+// it is refined (uniform, 200 000 vertices: mean quality .985, .978 without, at the same cost).
 // Without momentum: it pays when a later remesh settles what it has stirred up.
 Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double expected,
                        FastScheduleOptions effort, const GenerateOptions& options) {
@@ -86,6 +107,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
                                           .final_force_sweeps = 0,
                                           .final_apex_sweeps = 0,
                                           .repairs = 0,
+                                          .may_be_settled = levels == 0,
                                           .momentum = 0.0,
                                           .max_vertices = effort.max_vertices};
   Relaxed relaxed{.mesh = outline, .metrics = {}, .before_descent = {}};
@@ -98,6 +120,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
     }
     particles.set_level({scale, false});
     run_fast_schedule(particles, level == 0 ? effort : coarse_effort);
+    if (level == levels && level > 0) match_density(particles, {scale, false}, coarse_effort);
     if (options.observer) options.observer(particles, levels - level);
     relaxed = level == 0 ? taken_lower_in_error(particles, options.hessian) : taken_from(particles);
     if (level > 0) relaxed.mesh = in_local_order(refine_red(relaxed.mesh));

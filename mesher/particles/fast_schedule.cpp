@@ -38,7 +38,7 @@ int FastSchedule::rounds_needed() const {
   constexpr double small_demand = 0.03;     // the first round meets it, if it is not for density
   constexpr double right_area = 0.02;
   const double demand = population_demand(particles_, {});
-  if (demand < settled_demand) return 0;
+  if (demand < settled_demand && options_.may_be_settled) return 0;
   const bool is_near = demand < small_demand && std::abs(area_per_particle(particles_) - 1.0) < right_area;
   return is_near ? std::min(1, options_.rounds) : options_.rounds;
 }

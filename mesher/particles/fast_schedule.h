@@ -12,7 +12,8 @@ struct FastScheduleOptions {
   int final_force_sweeps = 8;
   int final_apex_sweeps = 3;
   int repairs = 1;
-  double momentum = 0.35;  // beta of thesis 3.13, while the population settles
+  bool may_be_settled = true;  // a start that wants few changes keeps its population
+  double momentum = 0.35;      // beta of thesis 3.13, while the population settles
   std::int64_t max_vertices = 10'000'000;
 };
 

@@ -50,7 +50,7 @@ TEST_CASE("the loop meets an L2 target of an interpolant with few vertices to sp
     CHECK(s.stop_reason == StopReason::ErrorTarget);
     CHECK(s.targets_met);
     CHECK(s.iterations.back().interpolation_error->l2 <= 1e-3);
-    CHECK(s.iterations.back().interpolation_error->l2 >= 0.7e-3);
+    CHECK(s.iterations.back().interpolation_error->l2 >= 0.65e-3);  // the last step multiplies vertices by 3 to 4
     efficiencies.push_back(s.iterations.back().efficiency.value());
   }
   std::sort(efficiencies.begin(), efficiencies.end());

@@ -52,6 +52,16 @@ TEST_CASE("a uniform mesh of the unit square is valid, unit and of the right siz
   CHECK(result.mesh.num_triangles() == Approx(4.0 / std::sqrt(3.0) / (0.03 * 0.03)).epsilon(0.05));
 }
 
+TEST_CASE("uniform meshes have as many triangles as the size asks for, and no disorder", "[mesher][generate]") {
+  const double triangles = GENERATE(2600.0, 5000.0, 9000.0, 17000.0, 34000.0);
+  const double h = std::sqrt(4.0 / std::sqrt(3.0) / triangles);
+  const GenerateResult result = generate(support::unit_square(), ConstantField(Metric::isotropic(h)));
+  CHECK(result.mesh.num_triangles() == Approx(triangles).epsilon(0.05));
+  const MeshQuality quality = measure_quality(result.mesh, result.metrics);
+  CHECK(quality.unit_edges > 0.998);
+  CHECK(quality.quality_mean > 0.983);
+}
+
 TEST_CASE("holes, segments, points and labels are kept", "[mesher][generate]") {
   const Domain domain = support::square_with_everything();
   const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.05 * p.x, 0.06, p.y); });
