@@ -12,7 +12,7 @@ void add_repair_option(CLI::App& command, bool& repair) {
 }
 
 Domain read_domain(const std::string& path, bool repair) {
-  const Domain domain = read_any_geometry(path);
+  Domain domain = read_any_geometry(path);
   if (!repair) return domain;
   CleanDomain result = clean(domain, Crossings::Split);
   for (const std::string& sentence : result.repairs) print_warning(sentence);
