@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/metric/gradation.h"
 
 namespace parmesan {
@@ -47,18 +48,8 @@ Eigen2 scaled_eigen(const AbsoluteHessian& hessian, double floor, const MetricRe
   return e;
 }
 
-double bounding_diagonal(const Mesh& mesh) {
-  Point low = mesh.points.front();
-  Point high = low;
-  for (const Point& p : mesh.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return norm(high - low);
-}
-
 MetricOptions checked(MetricOptions options, const Mesh& mesh) {
-  if (options.h_max <= 0.0) options.h_max = 0.25 * bounding_diagonal(mesh);
+  if (options.h_max <= 0.0) options.h_max = 0.25 * bounding_diagonal(mesh.points);
   if (!(options.h_min <= options.h_max))
     throw InputError("h_min = " + std::to_string(options.h_min) + " exceeds h_max = " + std::to_string(options.h_max));
   if (!(options.max_aspect >= 1.0)) throw InputError("max_aspect must be at least 1");

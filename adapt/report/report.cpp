@@ -55,7 +55,7 @@ Json read_json(const std::string& path) {
     is_too_deep = is_too_deep || depth > most_levels;
     return !is_too_deep;
   };
-  const Json json = Json::parse(read_text(path), watch, false);
+  Json json = Json::parse(read_text(path), watch, false);
   if (json.is_discarded() || !json.is_object() || is_too_deep) throw FileError(path, 0, "is not what parmesan wrote");
   return json;
 }
@@ -169,6 +169,7 @@ void write_head(OutputFile& out) {
 
 void write_report(const std::string& path, const std::vector<std::string>& folders) {
   std::vector<Entry> entries;
+  entries.reserve(folders.size());
   for (const std::string& folder : folders) entries.push_back(entry_of(folder));
   Json data;
   data["version"] = PARMESAN_VERSION;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -46,7 +47,7 @@ class ByteReader {
   template <class Number>
   double real(const char* what) {
     const Number value = read<Number>(what);
-    if (!(value - value == 0)) fail(std::string(what) + " is not finite");
+    if (!std::isfinite(value)) fail(std::string(what) + " is not finite");
     return static_cast<double>(value);
   }
 

@@ -183,6 +183,7 @@ MeshData mesh_data_of(MshContent content) {
   turn_clockwise_triangles(mesh);
   if (!mesh.triangles.empty()) cover_boundary(mesh);
   std::vector<std::int64_t> node_tags;
+  node_tags.reserve(used.size());
   for (const int node : used) node_tags.push_back(content.node_tags.tag(node));
   data.fields.points = plane_fields(content.node_fields, node_tags, "node");
   data.fields.cells = plane_fields(content.element_fields, content.triangles.tags, "triangle");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/metric/gradation.h"
 #include "mesher/triangulation/conversion.h"
@@ -17,16 +18,6 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void require(bool holds, const char* what) {
   if (!holds) throw InputError(std::string("sizes from the geometry: ") + what);
-}
-
-double diagonal_of(const Domain& domain) {
-  Point low = domain.points.front();
-  Point high = low;
-  for (const Point& p : domain.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return norm(high - low);
 }
 
 /// Places with the sizes wanted there.
@@ -120,7 +111,8 @@ BackgroundMesh feature_size_field(const Domain& user_domain, const FeatureSizeOp
   require(options.growth > 1.0 && std::isfinite(options.growth), "growth must be above 1");
   require(options.h_max >= 0.0 && std::isfinite(options.h_max), "h_max must be positive, or 0");
   const Domain domain = clean(user_domain).domain;
-  Sampler sampler(domain, options.fraction, options.h_max > 0.0 ? options.h_max : 0.1 * diagonal_of(domain));
+  Sampler sampler(domain, options.fraction,
+                  options.h_max > 0.0 ? options.h_max : 0.1 * bounding_diagonal(domain.points));
   sampler.sample_segments();
   sampler.sample_points();
   const ConvertedMesh converted = to_mesh(delaunay(sampler.points()).triangulation, {});

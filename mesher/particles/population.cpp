@@ -14,11 +14,8 @@
 #include "mesher/particles/selection.h"
 
 namespace parmesan {
-namespace {
 
-constexpr double min_quality_after = 0.1;  // of the triangles that a collapse stretches
-
-double triangle_area(const ParticleSystem& particles, EdgeId e) {
+double left_area(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
   const VertexId a = mesh.org(e);
   const VertexId b = mesh.dest(e);
@@ -26,6 +23,10 @@ double triangle_area(const ParticleSystem& particles, EdgeId e) {
   return metric_area(mesh.point(a), mesh.point(b), mesh.point(c), particles.metric(a), particles.metric(b),
                      particles.metric(c));
 }
+
+namespace {
+
+constexpr double min_quality_after = 0.1;  // of the triangles that a collapse stretches
 
 double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
@@ -38,7 +39,7 @@ bool is_too_long(const ParticleSystem& particles, EdgeId e, const PopulationRule
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
   if (squared_edge_length(particles, e) <= rules.long_edge * rules.long_edge) return false;
-  return triangle_area(particles, e) + triangle_area(particles, sym(e)) > (1.0 + rules.area_slack) * max_area;
+  return left_area(particles, e) + left_area(particles, sym(e)) > (1.0 + rules.area_slack) * max_area;
 }
 
 // The four triangles that a particle in the middle of e would make.

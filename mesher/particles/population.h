@@ -30,6 +30,9 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 /// 20 000 particles or edges.
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
+/// Area of the triangle left of e in the mean of its vertex metrics (5.10).
+double left_area(const ParticleSystem& particles, EdgeId e);
+
 /// Area of the mesh in the metric per particle over that of a unit mesh, sqrt3 / 2: above 1 there are too few
 /// particles, though each edge alone may be within the rules. Estimated like the demand, boundaries aside.
 double area_per_particle(const ParticleSystem& particles);

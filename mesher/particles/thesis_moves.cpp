@@ -7,6 +7,7 @@
 #include "mesher/geometry/predicates.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/metric_flips.h"
+#include "mesher/particles/population.h"
 #include "mesher/particles/star.h"
 #include "mesher/particles/thesis_rules.h"
 #include "mesher/triangulation/delaunay.h"

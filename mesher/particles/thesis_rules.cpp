@@ -5,6 +5,7 @@
 
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/neighbourhood.h"
+#include "mesher/particles/population.h"
 
 namespace parmesan {
 
@@ -20,15 +21,6 @@ bool is_superfluous_on_segment(double lengths) { return lengths < std::numbers::
 bool is_superfluous_inside(double area, int num_triangles) {
   const double n = num_triangles;
   return area < std::sqrt(3.0 * n * (n - 2.0)) / 4.0;
-}
-
-double left_area(const ParticleSystem& particles, EdgeId e) {
-  const Triangulation& mesh = particles.mesh();
-  const VertexId a = mesh.org(e);
-  const VertexId b = mesh.dest(e);
-  const VertexId c = mesh.dest(mesh.onext(e));
-  return metric_area(mesh.point(a), mesh.point(b), mesh.point(c), particles.metric(a), particles.metric(b),
-                     particles.metric(c));
 }
 
 namespace {

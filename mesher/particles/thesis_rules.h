@@ -29,7 +29,4 @@ bool is_to_be_annihilated(const ParticleSystem& particles, VertexId v, EdgeDista
 /// The edge at v whose split lowers the density error most (3.4.3); no_edge when none does.
 EdgeId edge_to_split(const ParticleSystem& particles, VertexId v, EdgeDistance distance, bool virtual_triangles);
 
-/// Area of the triangle left of e in the mean of its vertex metrics (5.10).
-double left_area(const ParticleSystem& particles, EdgeId e);
-
 }  // namespace parmesan
