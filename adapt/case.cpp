@@ -149,7 +149,9 @@ Case parse_case(const std::string& text, const std::string& file, const std::vec
   return result;
 }
 
-Case read_case(const std::string& path, const std::vector<Override>& overrides) {
+namespace {
+
+std::string case_text(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw FileError(path, 0, "there is no such file");
@@ -160,7 +162,24 @@ Case read_case(const std::string& path, const std::vector<Override>& overrides) 
   std::ifstream stream(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   if (!stream.good() && !stream.eof()) throw FileError(path, 0, "cannot be read");
-  return parse_case(text, path, overrides);
+  return text;
+}
+
+}  // namespace
+
+Case read_case(const std::string& path, const std::vector<Override>& overrides) {
+  return parse_case(case_text(path), path, overrides);
+}
+
+std::optional<Domain> read_case_domain(const std::string& path) {
+  constexpr bool throws = false;
+  constexpr bool ignores_comments = true;
+  const std::string text = case_text(path);
+  const Json root = Json::parse(text, nullptr, throws, ignores_comments);
+  if (!root.is_object() || !root.contains("geometry") || root.contains("type")) return std::nullopt;
+  std::vector<Override> any_problem;
+  if (!root.contains("problem")) any_problem.push_back({"/problem", R"({"interpolate": 0})"});
+  return parse_case(text, path, any_problem).domain;
 }
 
 }  // namespace parmesan

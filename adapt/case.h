@@ -10,6 +10,7 @@
 #include "fem/problem.h"
 #include "fem/recovery.h"
 #include "mesher/generate.h"
+#include "mesher/metric/background_mesh.h"
 
 namespace parmesan {
 
@@ -21,10 +22,11 @@ struct MetricOptions {
   double norm = 2.0;  // p of the Lp norm, infinity allowed
   Recovery recovery = Recovery::LeastSquares;
   bool exact_hessian = false;  // "recovery": "exact", from the exact expression
-  double h_min = 0.0;          // smallest size, L; 0: none
-  double h_max = 0.0;          // largest size, L; 0: a quarter of the domain's diameter
-  double max_aspect = 1e6;     // largest ratio of the two sizes
-  double gradation = 0.0;      // growth of size per unit metric length; 0: none
+  MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
+  double h_min = 0.0;       // smallest size, L; 0: none
+  double h_max = 0.0;       // largest size, L; 0: a quarter of the domain's diameter
+  double max_aspect = 1e6;  // largest ratio of the two sizes
+  double gradation = 0.0;   // growth of size per unit metric length; 0: none
 };
 
 /// What the loop tries to reach and when it gives up. Absent ones are not looked at.
@@ -106,6 +108,10 @@ Case read_case(const std::string& path, const std::vector<Override>& overrides =
 
 /// The same from text; file is used in messages and to find files the case names.
 Case parse_case(const std::string& text, const std::string& file, const std::vector<Override>& overrides = {});
+
+/// The domain of a case file, or of a JSON file that has only the "geometry", and "parameters", of a case. Nothing when
+/// the file is not of this kind: JSON with the key "geometry" and without GeoJSON's "type". Errors: as read_case.
+std::optional<Domain> read_case_domain(const std::string& path);
 
 /// JSON Schema (draft 2020-12) of case files.
 nlohmann::ordered_json case_schema();

@@ -26,6 +26,7 @@ void read_metric(CaseReading& reading, const Json& section, Case& result) {
   metric.exact_hessian = section["recovery"] == "exact";
   const bool twice = section["recovery"] == "double-projection";
   metric.recovery = twice ? Recovery::DoubleProjection : Recovery::LeastSquares;
+  if (section["interpolation"] == "linear") metric.interpolation = MetricInterpolation::Linear;
   metric.h_min = section["h_min"].get<double>();
   metric.h_max = section["h_max"].get<double>();
   metric.max_aspect = section["max_aspect"].get<double>();
@@ -60,28 +61,49 @@ auto named(const Json& section, const char* key, const Names& names) {
   return named_value(names, section[key].get<std::string>());
 }
 
-ThesisOptions read_thesis(const Json& section) {
+template <class T, std::size_t N>
+std::optional<T> optional_name(const Json& section, const char* key, const std::array<OptionName<T>, N>& names) {
+  if (!section.contains(key)) return std::nullopt;
+  return named(section, key, names);
+}
+
+ParticleOptions read_particles(const Json& section) {
   return {.potential = named(section, "potential", potential_names),
           .decay = section["decay"].get<double>(),
           .neighbourhood = named(section, "neighbourhood", neighbourhood_names),
           .radius = section["radius"].get<double>(),
           .force = named(section, "force", force_names),
           .distance = named(section, "distance", distance_names),
-          .step = section["step"].get<double>(),
-          .momentum = section["momentum"].get<double>(),
-          .alive_speed = section["alive_speed"].get<double>(),
+          .step = optional_number(section, "step"),
+          .momentum = optional_number(section, "momentum"),
           .virtual_triangles = section["virtual_triangles"].get<bool>(),
           .creation = named(section, "creation", creation_names),
-          .annihilation = named(section, "annihilation", annihilation_names),
+          .annihilation = optional_name(section, "annihilation", annihilation_names),
+          .alive_speed = section["alive_speed"].get<double>(),
           .relocation = named(section, "relocation", relocation_names),
           .picking = named(section, "picking", picking_names),
           .max_picks = section["max_picks"].get<double>()};
 }
 
+/// What the fast schedule does not read must not be set for it.
+void check_schedule(CaseReading& reading, const GenerateOptions& mesher) {
+  const ParticleOptions usual;
+  const ParticleOptions& set = mesher.particles;
+  const auto require = [&](bool holds, const char* key) {
+    const bool is_idle = mesher.schedule == Schedule::Fast && !holds;
+    if (is_idle) reading.issues.add(std::string("/mesher/particles/") + key, "is for the schedule \"thesis\" only");
+  };
+  require(set.alive_speed == usual.alive_speed, "alive_speed");
+  require(set.relocation == usual.relocation, "relocation");
+  require(set.picking == usual.picking, "picking");
+  require(set.max_picks == usual.max_picks, "max_picks");
+}
+
 void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   GenerateOptions& mesher = result.mesher;
   if (section["schedule"] == "thesis") mesher.schedule = Schedule::Thesis;
-  mesher.thesis = read_thesis(section["thesis"]);
+  mesher.particles = read_particles(section["particles"]);
+  check_schedule(reading, mesher);
   const Json& preset = section["preset"];
   mesher.preset = preset == "fast" ? Preset::Fast : (preset == "mid" ? Preset::Mid : Preset::Good);
   mesher.seed = static_cast<std::uint64_t>(section["seed"].get<double>());

@@ -190,6 +190,8 @@ constexpr const char* kSchema = R"schema({
                   "description": "p of the Lp norm of the error to minimise" },
         "recovery": { "enum": ["least-squares", "double-projection", "exact"], "default": "least-squares",
                       "description": "where second derivatives come from" },
+        "interpolation": { "enum": ["log-euclidean", "linear"], "default": "log-euclidean",
+                           "description": "of metrics between the vertices of the previous mesh; linear as in the thesis" },
         "h_min": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0, "description": "smallest size; 0: none" },
         "h_max": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0,
                    "description": "largest size; 0: a quarter of the domain's diameter" },
@@ -216,15 +218,15 @@ constexpr const char* kSchema = R"schema({
       "properties": {
         "schedule": { "enum": ["fast", "thesis"], "default": "fast",
                       "description": "sweeps, or the random picks of the thesis" },
-        "thesis": { "$ref": "#/$defs/thesis", "default": {} },
+        "particles": { "$ref": "#/$defs/particles", "default": {} },
         "preset": { "enum": ["fast", "mid", "good"], "default": "good" },
         "seed": { "type": "integer", "minimum": 0, "default": 1 },
         "lower_error": { "type": "boolean", "default": false,
                          "description": "move vertices and swap edges last to lower the L2 error itself" }
       }
     },
-    "thesis": {
-      "description": "parameters of the schedule \"thesis\"; by default as it was written",
+    "particles": {
+      "description": "how particles act on each other, come and go; the numbers are the thesis's equations",
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
       "properties": {
         "potential": { "enum": ["gaussian", "gaussian-derivative", "lennard-jones", "shimada",
@@ -238,19 +240,21 @@ constexpr const char* kSchema = R"schema({
         "force": { "enum": ["gradient", "along-edge"], "default": "along-edge", "description": "5.15 or 5.16" },
         "distance": { "enum": ["linear-metric", "mean-length", "mean-metric"], "default": "mean-metric",
                       "description": "5.6, 5.7 or 5.8" },
-        "step": { "$ref": "#/$defs/constant", "minimum": 0, "maximum": 10, "default": 0,
-                  "description": "delta of 3.12; 0: Newton's step on the hexagonal lattice" },
-        "momentum": { "$ref": "#/$defs/constant", "minimum": 0, "maximum": 0.99, "default": 0,
-                      "description": "beta of 3.13; 0: first order" },
-        "alive_speed": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "maximum": 0.99, "default": 0.01,
-                         "description": "slower particles die; unit edges per pick" },
+        "step": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "maximum": 10,
+                  "description": "delta of 3.12; without it from Newton's step on the hexagonal lattice" },
+        "momentum": { "$ref": "#/$defs/constant", "minimum": 0, "maximum": 0.99,
+                      "description": "beta of 3.13; 0: first order, 3.12; without it the schedule's own" },
         "virtual_triangles": { "type": "boolean", "default": true },
         "creation": { "enum": ["midpoint", "circumcentre"], "default": "midpoint" },
-        "annihilation": { "enum": ["removal", "collapse"], "default": "removal" },
-        "relocation": { "enum": ["reinsert", "in-place"], "default": "reinsert" },
-        "picking": { "enum": ["uniform", "by-speed", "hilbert"], "default": "uniform" },
+        "annihilation": { "enum": ["removal", "collapse"],
+                          "description": "without it the schedule's own: collapse, in that of the thesis removal" },
+        "alive_speed": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "maximum": 0.99, "default": 0.01,
+                         "description": "schedule thesis: slower particles die; unit edges per pick" },
+        "relocation": { "enum": ["reinsert", "in-place"], "default": "reinsert", "description": "schedule thesis" },
+        "picking": { "enum": ["uniform", "by-speed", "hilbert"], "default": "uniform",
+                     "description": "schedule thesis" },
         "max_picks": { "$ref": "#/$defs/constant", "minimum": 1, "maximum": 1e9, "default": 400,
-                       "description": "per particle" }
+                       "description": "schedule thesis: per particle" }
       }
     },
     "initial": {

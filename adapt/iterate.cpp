@@ -126,7 +126,7 @@ Iterate uniform_iterate(const Case& input, double vertices) {
 }
 
 Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric, const TensorField* hessian) {
-  const BackgroundMesh field(previous.mesh, metric.metrics);
+  const BackgroundMesh field(previous.mesh, metric.metrics, input.metric.interpolation);
   Iterate iterate = generated(input, field, previous.relaxed ? &*previous.relaxed : &previous.mesh, hessian);
   iterate.complexity = metric.complexity;
   iterate.clipped = metric.clipped;

@@ -50,11 +50,16 @@ if(Python3_FOUND)
                    --program $<TARGET_FILE:thesis_experiments> --out ${PROJECT_BINARY_DIR}/thesis.out)
 endif()
 
-# The report in a browser; says that it was skipped where Node, playwright-core or Chromium is missing.
+# Pages in a browser; skipped, with a line that says so, where Node, playwright-core or Chromium is missing.
 find_program(PARMESAN_NODE node)
-if(PARMESAN_NODE AND TARGET parmesan)
-  add_test(NAME browser/report COMMAND ${PARMESAN_NODE} ${PROJECT_SOURCE_DIR}/tests/browser/report.mjs
-                                       $<TARGET_FILE:parmesan> ${PROJECT_BINARY_DIR}/report_in_browser
+function(parmesan_browser_test name)
+  add_test(NAME browser/${name}
+           COMMAND ${PARMESAN_NODE} ${PROJECT_SOURCE_DIR}/tests/browser/${name}.mjs ${ARGN}
+                   ${PROJECT_BINARY_DIR}/browser/${name}
            WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(browser/report PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77)
+  set_tests_properties(browser/${name} PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 77)
+endfunction()
+if(PARMESAN_NODE AND TARGET parmesan)
+  parmesan_browser_test(report $<TARGET_FILE:parmesan>)
+  parmesan_browser_test(triangulator ${PROJECT_SOURCE_DIR}/tools/thesis/triangulator.html)
 endif()

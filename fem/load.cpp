@@ -165,7 +165,7 @@ std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sampl
   for (std::size_t t = 0; t < samples.size(); ++t) {
     const std::array<int, 3>& v = mesh.triangles[t];
     const auto is_rough = [&](int i) { return rough_vertex[static_cast<std::size_t>(i)] != 0; };
-    result[t] = std::count_if(v.begin(), v.end(), is_rough) >= 2;
+    result[t] = std::count_if(v.begin(), v.end(), is_rough) >= 2 ? 1 : 0;
   }
   return result;
 }

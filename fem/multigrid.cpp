@@ -129,12 +129,12 @@ AggregationMultigrid& AggregationMultigrid::compute(const RowMatrix& matrix) {
   while (current.rows() > CoarsestSize) {
     const RowMatrix filtered = filter(current, strength);
     const Aggregates aggregates = aggregate(filtered);
-    if (aggregates.count == 0 || 10 * aggregates.count > 9 * current.rows()) break;
+    if (aggregates.count == 0 || 10L * aggregates.count > 9 * current.rows()) break;
     Level level;
     level.prolongation = smoothed_prolongation(filtered, aggregates);
     level.restriction = level.prolongation.transpose();
     const RowMatrix product = current * level.prolongation;
-    level.matrix = std::move(current);
+    level.matrix.swap(current);
     current = level.restriction * product;
     levels_.push_back(std::move(level));
     strength *= 0.5;

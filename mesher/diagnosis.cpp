@@ -103,6 +103,7 @@ class Tally {
       if (entries_[i].count > 0) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [this](std::size_t i, std::size_t j) { return most_[i] > most_[j]; });
     std::vector<Misfits> result;
+    result.reserve(order.size());
     for (const std::size_t i : order) result.push_back(entries_[i]);
     return result;
   }

@@ -100,7 +100,7 @@ void match_density(ParticleSystem& particles, const ParticleSystem::Level& level
 // Without momentum: it pays when a later remesh settles what it has stirred up.
 Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double expected,
                        FastScheduleOptions effort, const GenerateOptions& options) {
-  effort.momentum = 0.0;
+  effort.momentum = options.particles.momentum.value_or(0.0);
   const int levels = std::max(0, static_cast<int>(std::lround(std::log(expected / coarsest_vertices) / std::log(4.0))));
   const FastScheduleOptions coarse_effort{.rounds = 2,
                                           .sweeps_per_round = 2,
@@ -108,7 +108,8 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
                                           .final_apex_sweeps = 0,
                                           .repairs = 0,
                                           .may_be_settled = levels == 0,
-                                          .momentum = 0.0,
+                                          .momentum = effort.momentum,
+                                          .particles = effort.particles,
                                           .max_vertices = effort.max_vertices};
   Relaxed relaxed{.mesh = outline, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
@@ -140,7 +141,8 @@ Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh 
 Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mesh& start,
                        const GenerateOptions& options, GenerateReport& report) {
   ParticleSystem particles(from_mesh(start, start.labels), domain, field);
-  report.thesis = run_thesis_schedule(particles, options.thesis, options.seed, options.max_vertices, options.observer);
+  report.thesis =
+      run_thesis_schedule(particles, options.particles, options.seed, options.max_vertices, options.observer);
   if (!report.thesis->settled) report.warnings.push_back(report.thesis->diagnosis);
   return taken_lower_in_error(particles, options.hessian);
 }
@@ -164,7 +166,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   result.report.warnings = std::move(cleaned.repairs);
   const FastScheduleOptions effort = fast_schedule_options(options);
   const bool by_thesis = options.schedule == Schedule::Thesis;
-  validate(options.thesis);
+  validate(options.particles);
 
   StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<std::vector<int>> segments;

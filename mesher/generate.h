@@ -11,7 +11,7 @@
 #include "mesher/metric/metric_field.h"
 #include "mesher/metric/tensor_field.h"
 #include "mesher/particles/mesh_observer.h"
-#include "mesher/particles/thesis_options.h"
+#include "mesher/particles/particle_options.h"
 #include "mesher/particles/thesis_schedule.h"
 #include "mesher/start_choice.h"
 
@@ -27,7 +27,7 @@ enum class Schedule { Fast, Thesis };
 struct GenerateOptions {
   Schedule schedule = Schedule::Fast;
   Preset preset = Preset::Good;            // of the fast schedule
-  ThesisOptions thesis = {};               // of the thesis's schedule
+  ParticleOptions particles = {};          // forces and population
   std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
   std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
 

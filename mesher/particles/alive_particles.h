@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "mesher/particles/thesis_options.h"
+#include "mesher/particles/particle_options.h"
 #include "mesher/triangulation/quad_edge.h"
 
 namespace parmesan {

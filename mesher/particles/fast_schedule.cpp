@@ -13,11 +13,24 @@
 namespace parmesan {
 namespace {
 
+PopulationRules with_choices(PopulationRules rules, const ParticleOptions& options) {
+  rules.virtual_triangles = options.virtual_triangles;
+  rules.creation = options.creation;
+  rules.annihilation = options.annihilation.value_or(rules.annihilation);
+  return rules;
+}
+
 // One meshing: the particles, what binds them to segments, and the effort allowed.
 class FastSchedule {
  public:
   FastSchedule(ParticleSystem& particles, const FastScheduleOptions& options)
-      : particles_(particles), options_(options), boundary_(particles) {}
+      : particles_(particles),
+        options_(options),
+        rules_(with_choices({}, options.particles)),
+        outlier_rules_(with_choices(outlier_rules, options.particles)),
+        boundary_(particles) {
+    if (!has_default_forces(options.particles)) forces_ = &options.particles;
+  }
 
   void run();
 
@@ -29,6 +42,9 @@ class FastSchedule {
 
   ParticleSystem& particles_;
   const FastScheduleOptions& options_;
+  PopulationRules rules_;
+  PopulationRules outlier_rules_;
+  const ParticleOptions* forces_ = nullptr;  // only when they are not the usual ones
   Boundary boundary_;
   int sweeps_done_ = 0;
 };
@@ -37,7 +53,7 @@ int FastSchedule::rounds_needed() const {
   constexpr double settled_demand = 0.012;  // measured: below it relaxation gains more than population
   constexpr double small_demand = 0.03;     // the first round meets it, if it is not for density
   constexpr double right_area = 0.02;
-  const double demand = population_demand(particles_, {});
+  const double demand = population_demand(particles_, rules_);
   if (demand < settled_demand && options_.may_be_settled) return 0;
   const bool is_near = demand < small_demand && std::abs(area_per_particle(particles_) - 1.0) < right_area;
   return is_near ? std::min(1, options_.rounds) : options_.rounds;
@@ -48,11 +64,11 @@ void FastSchedule::match_population() {
   constexpr double settled = 0.01;  // share of particles a pass may still create
   boundary_.match_counts(particles_);
   for (int pass = 0; pass < max_passes; ++pass) {
-    const int created = create_particles(particles_, {}, options_.max_vertices);
+    const int created = create_particles(particles_, rules_, options_.max_vertices);
     if (created <= settled * particles_.mesh().num_vertices()) break;
   }
   for (int pass = 0; pass < max_passes; ++pass) {
-    const int annihilated = annihilate_particles(particles_, {});
+    const int annihilated = annihilate_particles(particles_, rules_);
     if (annihilated <= settled * particles_.mesh().num_vertices()) break;
   }
   boundary_.match_counts(particles_);
@@ -60,8 +76,8 @@ void FastSchedule::match_population() {
 
 void FastSchedule::mend_population() {
   boundary_.match_counts(particles_);
-  create_particles(particles_, outlier_rules, options_.max_vertices);
-  annihilate_particles(particles_, outlier_rules);
+  create_particles(particles_, outlier_rules_, options_.max_vertices);
+  annihilate_particles(particles_, outlier_rules_);
 }
 
 // Metrics and connectivity are brought up to date in every second sweep, counted from the last.
@@ -83,10 +99,10 @@ void FastSchedule::run() {
   if (settled) mend_population();
   for (int round = 0; round < rounds; ++round) {
     match_population();
-    relax(Blocks(particles_), options_.sweeps_per_round, {.momentum = momentum});
+    relax(Blocks(particles_), options_.sweeps_per_round, {.momentum = momentum, .forces = forces_});
   }
   const Blocks blocks(particles_);
-  relax(blocks, options_.final_force_sweeps, {.momentum = momentum, .only_resolved = settled});
+  relax(blocks, options_.final_force_sweeps, {.momentum = momentum, .forces = forces_, .only_resolved = settled});
   relax(blocks, options_.final_apex_sweeps, {.motion = Motion::IdealApex, .momentum = momentum});
   for (int i = 0; i < options_.repairs; ++i) repair_places(particles_);
   if (options_.repairs > 0) mend_chords(particles_);
@@ -101,6 +117,8 @@ FastScheduleOptions fast_schedule_options(const GenerateOptions& options) {
   if (options.preset == Preset::Fast)
     effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 2, .final_apex_sweeps = 1};
   effort.max_vertices = options.max_vertices;
+  effort.particles = options.particles;
+  effort.momentum = options.particles.momentum.value_or(effort.momentum);
   return effort;
 }
 

@@ -12,8 +12,9 @@ struct FastScheduleOptions {
   int final_force_sweeps = 8;
   int final_apex_sweeps = 3;
   int repairs = 1;
-  bool may_be_settled = true;  // a start that wants few changes keeps its population
-  double momentum = 0.35;      // beta of thesis 3.13, while the population settles
+  bool may_be_settled = true;      // a start that wants few changes keeps its population
+  double momentum = 0.35;          // beta of thesis 3.13, while the population settles
+  ParticleOptions particles = {};  // forces, and how particles come and go
   std::int64_t max_vertices = 10'000'000;
 };
 

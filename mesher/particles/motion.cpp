@@ -1,11 +1,15 @@
 #include "mesher/particles/motion.h"
 
 #include <cmath>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "mesher/parallel.h"
 #include "mesher/particles/forces.h"
 #include "mesher/particles/metric_flips.h"
+#include "mesher/particles/neighbourhood.h"
+#include "mesher/particles/thesis_potential.h"
 
 namespace parmesan {
 
@@ -43,38 +47,73 @@ Vector towards_target(const ParticleSystem& particles, VertexId v, double target
   return lerp(a, b, target) - particles.mesh().point(v);
 }
 
-// The step of a free particle; zero for one that is to stay.
-Vector free_step(const ParticleSystem& particles, const Star& star, VertexId v, const SweepOptions& options) {
-  const Point& p = particles.mesh().point(v);
-  const Metric& m = particles.metric(v);
-  const bool matters = options.only_resolved || options.momentum > 0.0;
-  const bool is_resolved = matters && star.is_resolved(p, m);
-  if (options.only_resolved && !is_resolved) return {};
-  const Vector step = options.motion == Motion::Force ? force_step(star, p, m) : ideal_apex_step(star, p, m);
-  if (options.momentum == 0.0 || !is_resolved) return step;
-  return shortened(step + options.momentum * particles.velocity(v), m);
-}
+/// Steps by the forces of the thesis that are not the usual ones.
+class GeneralForces {
+ public:
+  explicit GeneralForces(const ParticleOptions& options)
+      : options_(options),
+        neighbours_(options),
+        delta_(options.step.value_or(
+            (1.0 - options.momentum.value_or(0.0)) *
+            newton_step({options.potential, options.decay}, options.neighbourhood, options.radius))) {}
+
+  /// The step of v, shortened to half a unit edge; none when one that acts on it may be outside of the territory.
+  std::optional<Vector> step(const Territory& territory, const ParticleSystem& particles, VertexId v) {
+    const std::span<const VertexId> neighbours = neighbours_.of(particles, v, territory);
+    if (neighbours.empty()) return std::nullopt;
+    return shortened(delta_ * force_on(particles, v, neighbours, options_), particles.metric(v));
+  }
+
+ private:
+  const ParticleOptions& options_;
+  NeighbourSearch neighbours_;
+  double delta_;
+};
 
 // Visits particles in one territory.
 class Visitor {
  public:
   Visitor(ParticleSystem& particles, std::span<const double> targets, const SweepOptions& options,
           const Territory& territory)
-      : particles_(particles), targets_(targets), options_(options), territory_(territory) {}
+      : particles_(particles), targets_(targets), options_(options), territory_(territory) {
+    if (options.forces != nullptr && options.motion == Motion::Force) forces_.emplace(*options.forces);
+  }
 
-  /// Returns false when v has a neighbour outside of the territory; nothing has happened then.
+  /// Returns false when v has, or feels, a neighbour outside of the territory; nothing has happened then.
   bool visit(VertexId v);
 
  private:
+  std::optional<Vector> step(VertexId v);
+  std::optional<Vector> free_step(VertexId v);
   void flip_spokes(VertexId v);
 
   ParticleSystem& particles_;
   std::span<const double> targets_;
   const SweepOptions& options_;
   const Territory territory_;
+  std::optional<GeneralForces> forces_;
   Star star_;
   std::vector<EdgeId> stack_;
 };
+
+// Zero for a particle that is to stay; none when one that acts on it may be outside of the territory.
+std::optional<Vector> Visitor::free_step(VertexId v) {
+  const Point& p = particles_.mesh().point(v);
+  const Metric& m = particles_.metric(v);
+  const bool matters = options_.only_resolved || options_.momentum > 0.0;
+  const bool is_resolved = matters && star_.is_resolved(p, m);
+  if (options_.only_resolved && !is_resolved) return Vector{};
+  const std::optional<Vector> step = this->step(v);
+  if (!step || options_.momentum == 0.0 || !is_resolved) return step;
+  return shortened(*step + options_.momentum * particles_.velocity(v), m);
+}
+
+std::optional<Vector> Visitor::step(VertexId v) {
+  if (forces_) return forces_->step(territory_, particles_, v);
+  const Point& p = particles_.mesh().point(v);
+  const Metric& m = particles_.metric(v);
+  return options_.motion == Motion::Force ? force_step(star_, p, m) : ideal_apex_step(star_, p, m);
+}
 
 bool Visitor::visit(VertexId v) {
   if (particles_.binding(v) == fixed_particle) return true;
@@ -83,8 +122,9 @@ bool Visitor::visit(VertexId v) {
   if (std::isnan(target)) return true;
   if (!star_.gather_within(territory_, particles_, v)) return false;
   const Point from = particles_.mesh().point(v);
-  const Vector step = is_free ? free_step(particles_, star_, v, options_) : towards_target(particles_, v, target);
-  const bool moved = step != Vector{} && try_move(particles_, star_, v, step, options_.update);
+  const std::optional<Vector> step = is_free ? free_step(v) : towards_target(particles_, v, target);
+  if (!step) return false;
+  const bool moved = *step != Vector{} && try_move(particles_, star_, v, *step, options_.update);
   particles_.set_velocity(v, particles_.mesh().point(v) - from);
   if (options_.update == Update::Later) return true;
   if (!moved) particles_.move(v, from);  // it may have come here in a sweep that did not update

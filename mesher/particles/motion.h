@@ -3,6 +3,7 @@
 #include <span>
 
 #include "mesher/particles/blocks.h"
+#include "mesher/particles/particle_options.h"
 #include "mesher/particles/star.h"
 
 namespace parmesan {
@@ -22,8 +23,9 @@ enum class Motion { Force, IdealApex };
 struct SweepOptions {
   Motion motion = Motion::Force;
   Update update = Update::Now;
-  double momentum = 0.0;       // share of the last move added to the next, beta of 3.13
-  bool only_resolved = false;  // leave alone the particles whose star does not resolve the metric
+  double momentum = 0.0;                    // share of the last move added to the next, beta of 3.13
+  const ParticleOptions* forces = nullptr;  // other than those of force_step, not owned
+  bool only_resolved = false;               // leave alone the particles whose star does not resolve the metric
 };
 
 /// Visits every particle once, block by block of the given cut (see Blocks): free ones follow the motion, those on

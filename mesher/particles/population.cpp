@@ -10,20 +10,13 @@
 #include "mesher/errors.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/parallel.h"
+#include "mesher/particles/circumcentre.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/selection.h"
+#include "mesher/particles/triangle_area.h"
+#include "mesher/triangulation/delaunay.h"
 
 namespace parmesan {
-
-double left_area(const ParticleSystem& particles, EdgeId e) {
-  const Triangulation& mesh = particles.mesh();
-  const VertexId a = mesh.org(e);
-  const VertexId b = mesh.dest(e);
-  const VertexId c = mesh.dest(mesh.onext(e));
-  return metric_area(mesh.point(a), mesh.point(b), mesh.point(c), particles.metric(a), particles.metric(b),
-                     particles.metric(c));
-}
-
 namespace {
 
 constexpr double min_quality_after = 0.1;  // of the triangles that a collapse stretches
@@ -35,7 +28,9 @@ double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
 }
 
 bool is_too_long(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
-  constexpr double max_area = 3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0;
+  constexpr double with_virtual_triangles = 3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0;
+  static const double without = std::sqrt(1.5);
+  const double max_area = rules.virtual_triangles ? with_virtual_triangles : without;
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
   if (squared_edge_length(particles, e) <= rules.long_edge * rules.long_edge) return false;
@@ -90,8 +85,22 @@ bool can_collapse(const ParticleSystem& particles, const Star& star, VertexId v,
 
 }  // namespace
 
+namespace {
+
+VertexId create_particle(ParticleSystem& particles, EdgeId e, CreationPlace place) {
+  constexpr double min_quality = 0.01;
+  const Triangulation& mesh = particles.mesh();
+  if (place == CreationPlace::Circumcentre) {
+    const VertexId v = create_at_circumcentre(particles, e, min_quality);
+    if (v != no_vertex) return v;
+  }
+  const Point p = midpoint(mesh.point(mesh.org(e)), mesh.point(mesh.dest(e)));
+  return quality_of_halves(particles, e, p) < min_quality ? no_vertex : particles.create_on_edge(e, p);
+}
+
+}  // namespace
+
 int create_particles(ParticleSystem& particles, const PopulationRules& rules, std::int64_t max_vertices) {
-  constexpr double min_quality_of_halves = 0.01;
   Triangulation& mesh = particles.mesh();
   std::vector<EdgeId> stack;
   int created = 0;
@@ -99,11 +108,10 @@ int create_particles(ParticleSystem& particles, const PopulationRules& rules, st
     const EdgeId e = found.edge;
     const bool unchanged = mesh.org(e) == found.org && mesh.dest(e) == found.dest;
     if (!unchanged || !is_too_long(particles, e, rules)) continue;
-    const Point p = midpoint(mesh.point(found.org), mesh.point(found.dest));
-    if (quality_of_halves(particles, e, p) < min_quality_of_halves) continue;
     if (mesh.num_vertices() >= max_vertices)
       throw LimitError("the metric asks for more than " + std::to_string(max_vertices) + " vertices");
-    const VertexId v = particles.create_on_edge(e, p);
+    const VertexId v = create_particle(particles, e, rules.creation);
+    if (v == no_vertex) continue;
     for_each_spoke(mesh, v, [&](EdgeId spoke) { stack.push_back(mesh.lnext(spoke)); });
     legalize(particles, stack, 100);
     ++created;
@@ -154,27 +162,38 @@ std::vector<LongEdge> spokes_by_length(const ParticleSystem& particles, VertexId
   return spokes;
 }
 
+// Adds the edges that changed: those of the hole that v leaves, or of the neighbour it merges into; none when it stays.
+void annihilate_particle(ParticleSystem& particles, const Star& star, VertexId v, Annihilation how,
+                         std::vector<EdgeId>& changed) {
+  constexpr std::size_t max_tries = 3;
+  Triangulation& mesh = particles.mesh();
+  if (how == Annihilation::Removal) {
+    changed = remove_star(mesh, v);
+    return;
+  }
+  const std::vector<LongEdge> spokes = spokes_by_length(particles, v);
+  for (std::size_t i = 0; i < std::min(max_tries, spokes.size()); ++i) {
+    if (!can_collapse(particles, star, v, spokes[i].edge)) continue;
+    mesh.collapse(spokes[i].edge);
+    for_each_spoke(mesh, spokes[i].dest, [&](EdgeId e) { changed.push_back(e); });
+    return;
+  }
+}
+
 }  // namespace
 
 int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules) {
-  constexpr std::size_t max_tries = 3;
-  Triangulation& mesh = particles.mesh();
   Star star;
-  std::vector<EdgeId> stack;
+  std::vector<EdgeId> changed;
   int annihilated = 0;
   const auto selects = [&](const Star& around, VertexId v) { return is_superfluous(particles, around, v, rules); };
   for (const VertexId v : select_free_particles(particles, selects)) {
     star.gather(particles, v);
     if (!is_superfluous(particles, star, v, rules)) continue;  // since a neighbour went
-    const std::vector<LongEdge> spokes = spokes_by_length(particles, v);
-    for (std::size_t i = 0; i < std::min(max_tries, spokes.size()); ++i) {
-      if (!can_collapse(particles, star, v, spokes[i].edge)) continue;
-      mesh.collapse(spokes[i].edge);
-      for_each_spoke(mesh, spokes[i].dest, [&](EdgeId e) { stack.push_back(e); });
-      legalize(particles, stack, 100);
-      ++annihilated;
-      break;
-    }
+    annihilate_particle(particles, star, v, rules.annihilation, changed);
+    if (changed.empty()) continue;
+    legalize(particles, changed, 100);
+    ++annihilated;
   }
   return annihilated;
 }

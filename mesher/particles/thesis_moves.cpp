@@ -6,8 +6,8 @@
 
 #include "mesher/geometry/predicates.h"
 #include "mesher/metric/metric_length.h"
+#include "mesher/particles/circumcentre.h"
 #include "mesher/particles/metric_flips.h"
-#include "mesher/particles/population.h"
 #include "mesher/particles/star.h"
 #include "mesher/particles/thesis_rules.h"
 #include "mesher/triangulation/delaunay.h"
@@ -85,16 +85,6 @@ Vector relocate(ParticleSystem& particles, VertexId v, const Vector& step, Reloc
 
 namespace {
 
-// In the metric m: 2 (b - a)^T M (x - a) = (b - a)^T M (b - a), and the same with c.
-Point circumcentre(const Point& a, const Point& b, const Point& c, const Metric& m) {
-  const Vector mb = m.tensor() * (b - a);
-  const Vector mc = m.tensor() * (c - a);
-  const double rb = 0.5 * dot(mb, b - a);
-  const double rc = 0.5 * dot(mc, c - a);
-  const double det = cross(mb, mc);
-  return a + (1.0 / det) * Vector{rb * mc.y - rc * mb.y, rc * mb.x - rb * mc.x};
-}
-
 bool can_split(const Triangulation& t, EdgeId e, const Point& p) {
   const auto has_room = [&](EdgeId side) {
     if (!t.is_inside_left(side)) return true;
@@ -102,22 +92,6 @@ bool can_split(const Triangulation& t, EdgeId e, const Point& p) {
     return orient2d(t.point(t.org(side)), p, apex) > 0.0 && orient2d(p, t.point(t.dest(side)), apex) > 0.0;
   };
   return has_room(e) && has_room(sym(e));
-}
-
-VertexId create_at_circumcentre(ParticleSystem& particles, EdgeId e) {
-  Triangulation& mesh = particles.mesh();
-  const EdgeId side = left_area(particles, e) >= left_area(particles, sym(e)) ? e : sym(e);
-  const VertexId a = mesh.org(side);
-  const VertexId b = mesh.dest(side);
-  const VertexId c = mesh.dest(mesh.onext(side));
-  const Metric m = mean(particles.metric(a), particles.metric(b), particles.metric(c));
-  const Point p = circumcentre(mesh.point(a), mesh.point(b), mesh.point(c), m);
-  for (const VertexId corner : {a, b, c})  // one that ends a segment sees both sides of it
-    if (!sees(mesh, corner, p)) return no_vertex;
-  const Location where = locate(mesh, p, side);
-  if (where.hit == Hit::Face) return particles.create_in_face(where.edge, p);
-  return where.hit == Hit::Edge && !mesh.is_constrained(where.edge) ? particles.create_on_edge(where.edge, p)
-                                                                    : no_vertex;
 }
 
 }  // namespace

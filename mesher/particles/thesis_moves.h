@@ -1,7 +1,7 @@
 #pragma once
 
+#include "mesher/particles/particle_options.h"
 #include "mesher/particles/particle_system.h"
-#include "mesher/particles/thesis_options.h"
 
 namespace parmesan {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesher/particles/thesis_options.h"
+#include "mesher/particles/particle_options.h"
 
 namespace parmesan {
 

@@ -5,7 +5,7 @@
 
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/neighbourhood.h"
-#include "mesher/particles/population.h"
+#include "mesher/particles/triangle_area.h"
 
 namespace parmesan {
 

@@ -26,7 +26,8 @@ struct Event {
 
 class ThesisSchedule {
  public:
-  ThesisSchedule(ParticleSystem& particles, const ThesisOptions& options, std::uint64_t seed, std::int64_t max_vertices)
+  ThesisSchedule(ParticleSystem& particles, const ParticleOptions& options, std::uint64_t seed,
+                 std::int64_t max_vertices)
       : particles_(particles),
         options_(options),
         max_vertices_(max_vertices),
@@ -35,7 +36,8 @@ class ThesisSchedule {
         neighbours_(options) {
     const Potential potential(options.potential, options.decay);
     const double newton = newton_step(potential, options.neighbourhood, options.radius);
-    step_ = options.step > 0.0 ? options.step : (1.0 - options.momentum) * newton;
+    momentum_ = options.momentum.value_or(0.0);
+    step_ = options.step.value_or((1.0 - momentum_) * newton);
   }
 
   ThesisReport run(const MeshObserver& observer);
@@ -53,11 +55,12 @@ class ThesisSchedule {
   void diagnose();
 
   ParticleSystem& particles_;
-  const ThesisOptions& options_;
+  const ParticleOptions& options_;
   std::int64_t max_vertices_;
   std::mt19937_64 engine_;
   AliveParticles alive_;
   NeighbourSearch neighbours_;
+  double momentum_;
   double step_;
   ThesisReport report_;
   std::deque<Event> events_;     // the last ones
@@ -83,7 +86,7 @@ void ThesisSchedule::note(const Point& p) {
 double ThesisSchedule::move(VertexId v) {
   if (particles_.binding(v) == fixed_particle) return 0.0;
   const Vector force = force_on(particles_, v, neighbours_.of(particles_, v), options_);
-  const Vector velocity = options_.momentum * particles_.velocity(v) + step_ * force;
+  const Vector velocity = momentum_ * particles_.velocity(v) + step_ * force;
   const Vector moved = relocate(particles_, v, shortened(velocity, particles_.metric(v)), options_.relocation);
   particles_.set_velocity(v, moved);
   return particles_.metric(v).length(moved);
@@ -95,7 +98,7 @@ bool ThesisSchedule::annihilate_if_dense(VertexId v) {
   std::vector<VertexId> ring;
   for_each_spoke(mesh, v, [&](EdgeId e) { ring.push_back(mesh.dest(e)); });
   const Point place = mesh.point(v);
-  if (!annihilate(particles_, v, options_.annihilation)) return false;
+  if (!annihilate(particles_, v, options_.annihilation.value_or(Annihilation::Removal))) return false;
   alive_.put_to_sleep(v);
   for (const VertexId w : ring) wake(w);
   note(place);
@@ -191,7 +194,7 @@ ThesisReport ThesisSchedule::run(const MeshObserver& observer) {
 
 }  // namespace
 
-ThesisReport run_thesis_schedule(ParticleSystem& particles, const ThesisOptions& options, std::uint64_t seed,
+ThesisReport run_thesis_schedule(ParticleSystem& particles, const ParticleOptions& options, std::uint64_t seed,
                                  std::int64_t max_vertices, const MeshObserver& observer) {
   validate(options);
   return ThesisSchedule(particles, options, seed, max_vertices).run(observer);

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "mesher/particles/mesh_observer.h"
+#include "mesher/particles/particle_options.h"
 #include "mesher/particles/particle_system.h"
-#include "mesher/particles/thesis_options.h"
 
 namespace parmesan {
 
@@ -31,7 +31,7 @@ struct ThesisReport {
 /// Serial. Same particles, options and seed: same bits. Every state is a valid triangulation.
 /// Errors: LimitError beyond max_vertices; InputError for options out of range. Cost: O(1) per pick, but for the
 /// weighted ones; some tens of picks per particle.
-ThesisReport run_thesis_schedule(ParticleSystem& particles, const ThesisOptions& options, std::uint64_t seed,
+ThesisReport run_thesis_schedule(ParticleSystem& particles, const ParticleOptions& options, std::uint64_t seed,
                                  std::int64_t max_vertices, const MeshObserver& observer = {});
 
 }  // namespace parmesan

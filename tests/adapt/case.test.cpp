@@ -107,12 +107,18 @@ TEST_CASE("mesher.lower_error is read", "[adapt][case]") {
             .lower_error);
 }
 
-TEST_CASE("the thesis's schedule and its parameters are read", "[adapt][case]") {
+TEST_CASE("metrics are interpolated by logarithms, or linearly when the case says so", "[adapt][case]") {
+  CHECK(parse_case(case_text(kZeroBoundary), "a.json").metric.interpolation == MetricInterpolation::LogEuclidean);
+  CHECK(parse_case(case_text(kZeroBoundary, R"(, "metric": {"interpolation": "linear"})"), "a.json")
+            .metric.interpolation == MetricInterpolation::Linear);
+}
+
+TEST_CASE("the thesis's schedule and what acts between particles are read", "[adapt][case]") {
   const GenerateOptions plain = parse_case(case_text(kZeroBoundary), "a.json").mesher;
   CHECK(plain.schedule == Schedule::Fast);
-  CHECK(plain.thesis.potential == ThesisOptions{}.potential);
-  CHECK(plain.thesis.max_picks == ThesisOptions{}.max_picks);
-  const GenerateOptions read = parse_case(case_text(kZeroBoundary, R"(, "mesher": {"schedule": "thesis", "thesis": {
+  CHECK(plain.particles.potential == ParticleOptions{}.potential);
+  CHECK(plain.particles.max_picks == ParticleOptions{}.max_picks);
+  const GenerateOptions read = parse_case(case_text(kZeroBoundary, R"(, "mesher": {"schedule": "thesis", "particles": {
       "potential": "shimada", "decay": 2, "neighbourhood": "radius", "radius": 1.8, "force": "gradient",
       "distance": "linear-metric", "step": 0.1, "momentum": 0.5, "alive_speed": 0.02, "virtual_triangles": false,
       "creation": "circumcentre", "annihilation": "collapse", "relocation": "in-place", "picking": "hilbert",
@@ -120,23 +126,29 @@ TEST_CASE("the thesis's schedule and its parameters are read", "[adapt][case]") 
                                           "a.json")
                                    .mesher;
   CHECK(read.schedule == Schedule::Thesis);
-  CHECK(read.thesis.potential == PotentialKind::Shimada);
-  CHECK(read.thesis.decay == 2.0);
-  CHECK(read.thesis.neighbourhood == Neighbourhood::Radius);
-  CHECK(read.thesis.radius == 1.8);
-  CHECK(read.thesis.force == Force::Gradient);
-  CHECK(read.thesis.distance == EdgeDistance::LinearMetric);
-  CHECK(read.thesis.step == 0.1);
-  CHECK(read.thesis.momentum == 0.5);
-  CHECK(read.thesis.alive_speed == 0.02);
-  CHECK_FALSE(read.thesis.virtual_triangles);
-  CHECK(read.thesis.creation == CreationPlace::Circumcentre);
-  CHECK(read.thesis.annihilation == Annihilation::Collapse);
-  CHECK(read.thesis.relocation == Relocation::InPlace);
-  CHECK(read.thesis.picking == Picking::Hilbert);
-  CHECK(read.thesis.max_picks == 50.0);
-  CHECK_THAT(issue_text(case_text(kZeroBoundary, R"(, "mesher": {"thesis": {"potential": "shimda"}})")),
+  CHECK(read.particles.potential == PotentialKind::Shimada);
+  CHECK(read.particles.decay == 2.0);
+  CHECK(read.particles.neighbourhood == Neighbourhood::Radius);
+  CHECK(read.particles.radius == 1.8);
+  CHECK(read.particles.force == Force::Gradient);
+  CHECK(read.particles.distance == EdgeDistance::LinearMetric);
+  CHECK(read.particles.step == 0.1);
+  CHECK(read.particles.momentum == 0.5);
+  CHECK(read.particles.alive_speed == 0.02);
+  CHECK_FALSE(read.particles.virtual_triangles);
+  CHECK(read.particles.creation == CreationPlace::Circumcentre);
+  CHECK(read.particles.annihilation == Annihilation::Collapse);
+  CHECK(read.particles.relocation == Relocation::InPlace);
+  CHECK(read.particles.picking == Picking::Hilbert);
+  CHECK(read.particles.max_picks == 50.0);
+  CHECK_THAT(issue_text(case_text(kZeroBoundary, R"(, "mesher": {"particles": {"potential": "shimda"}})")),
              Catch::Contains("did you mean 'shimada'"));
+  const GenerateOptions fast =
+      parse_case(case_text(kZeroBoundary, R"(, "mesher": {"particles": {"neighbourhood": "n2"}})"), "a.json").mesher;
+  CHECK(fast.schedule == Schedule::Fast);
+  CHECK(fast.particles.neighbourhood == Neighbourhood::N2);
+  CHECK_THAT(issue_text(case_text(kZeroBoundary, R"(, "mesher": {"particles": {"picking": "hilbert"}})")),
+             Catch::Contains("/mesher/particles/picking") && Catch::Contains("schedule"));
 }
 
 TEST_CASE("Overrides replace and add values by JSON pointer", "[adapt][case]") {

@@ -2,37 +2,11 @@
 //   node report.mjs PROGRAM FOLDER [keep]    writes below FOLDER; screenshots stay there with keep
 // Skipped, with 77, where playwright-core or Chromium is not found.
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { check, finish, launch, open as openPage } from './browser.mjs';
 
 const [program, folder] = process.argv.slice(2, 4).map((path) => resolve(path));
-
-function skip(why) {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
-}
-
-function playwright() {
-  const places = [process.env.PARMESAN_PLAYWRIGHT, process.cwd(), '/usr/lib'].filter(Boolean);
-  for (const place of places) {
-    try {
-      return createRequire(join(resolve(place), 'here.js'))('playwright-core');
-    } catch {}
-  }
-  skip('playwright-core is not installed (npm install playwright-core; PARMESAN_PLAYWRIGHT names the folder)');
-}
-
-let failures = 0;
-function check(holds, claim) {
-  if (!holds) ++failures;
-  console.log(`${holds ? 'ok    ' : 'FAILED'} ${claim}`);
-}
-
-const { chromium } = playwright();
-const executablePath = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync);
-if (!executablePath) skip('there is no Chromium');
 
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
@@ -56,20 +30,8 @@ parmesan('run', 'front.json', '--out', strange, '-q', '--set', '/targets/l2_erro
 parmesan('compare', 'front.json', '--out', 'compared', '--sizes', '300,900', '-q');
 parmesan('report', 'front', strange, 'compared', '-o', 'all.html', '-q');
 
-const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
-
-async function open(name, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
-  const page = await context.newPage();
-  page.messages = [];
-  page.requests = [];
-  page.on('console', (message) => page.messages.push(message.text()));
-  page.on('pageerror', (error) => page.messages.push(String(error)));
-  page.on('request', (request) => page.requests.push(request.url()));
-  await page.goto(pathToFileURL(join(folder, name)).href);
-  await page.waitForTimeout(600);
-  return page;
-}
+const browser = await launch();
+const open = (name, options) => openPage(browser, join(folder, name), options);
 
 const screenshot = (page, name, fullPage = true) => page.screenshot({ path: join(folder, `${name}.png`), fullPage });
 
@@ -183,6 +145,4 @@ async function checkPage(page, name, numPlots) {
   await screenshot(page, 'several');
 }
 
-await browser.close();
-console.log(failures ? `${failures} FAILED` : 'all passed');
-process.exit(failures ? 1 : 0);
+await finish(browser);

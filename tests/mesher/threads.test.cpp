@@ -60,6 +60,22 @@ TEST_CASE("any number of threads makes the same mesh", "[mesher][threads]") {
   }
 }
 
+TEST_CASE("any number of threads makes the same mesh where particles act over two edges or a radius",
+          "[mesher][threads]") {
+  const Domain domain = support::unit_square();
+  GenerateOptions options{.preset = Preset::Fast};
+  options.particles.neighbourhood = GENERATE(Neighbourhood::N2, Neighbourhood::Radius);
+  const auto meshed = [&](int threads) {
+    const Threads scope(threads);
+    return generate(domain, CallableField(ring), options).mesh;
+  };
+  const Mesh many = meshed(4);
+  const Mesh one = meshed(1);
+  REQUIRE(one.num_vertices() > 10000);
+  CHECK((many.points == one.points));
+  CHECK((many.triangles == one.triangles));
+}
+
 TEST_CASE("what fails first in number is thrown, on any number of threads", "[mesher][threads][errors]") {
   for (const int threads : {4, 2, 1}) {
     const Threads scope(threads);

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "mesher/io/medit.h"
+#include "tests/oracle/mesh_checker.h"
 #include "tests/system/program.h"
 
 using parmesan::support::ProgramResult;
@@ -44,6 +46,23 @@ TEST_CASE("mesh writes a uniform mesh in several formats", "[system][mesh]") {
   CHECK(quality.at("vertices").get<int>() == Approx(135).epsilon(0.15));
   CHECK_THAT(result.out, Catch::Contains(std::to_string(quality.at("vertices").get<int>()) + " vertices"));
   CHECK(quality.at("angle").at("min").get<double>() > 30.0);
+}
+
+TEST_CASE("mesh takes the geometry of a case file, or of a file that has no more of a case", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string geometry = R"("geometry": {"rectangle": {"min": [0, 0], "max": ["a", 1]}})";
+  const std::string whole = folder.write(
+      "case.json", "// a case\n{\"parameters\": {\"a\": 2}, " + geometry + R"(, "problem": {"interpolate": "x^2"}})");
+  const std::string part = folder.write("part.json", "{\"parameters\": {\"a\": 2}, " + geometry + "}");
+  for (const std::string& file : {whole, part}) {
+    REQUIRE(run_program({"mesh", file, "--size", "0.2", "-o", folder / "a.mesh"}).exit_code == 0);
+    CHECK(parmesan::oracle::area_of(parmesan::read_medit(folder / "a.mesh")) == Approx(2.0));
+  }
+  const std::string wrong =
+      folder.write("wrong.json", "{\"parameters\": {\"a\": 2},\n\"geometry\": {\"rectangl\": {}}}");
+  const ProgramResult result = run_program({"mesh", wrong, "-o", folder / "a.mesh"});
+  CHECK(result.exit_code == 3);
+  CHECK_THAT(result.err, Catch::Contains("wrong.json:2:") && Catch::Contains("did you mean 'rectangle'"));
 }
 
 TEST_CASE("mesh follows a background metric, and can start from an earlier mesh", "[system][mesh]") {

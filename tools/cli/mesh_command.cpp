@@ -21,8 +21,8 @@
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/domain_input.h"
+#include "tools/cli/particle_options.h"
 #include "tools/cli/results.h"
-#include "tools/cli/thesis_options.h"
 
 namespace parmesan {
 namespace {

@@ -80,7 +80,7 @@ Item forces(const Setting& setting) {
   for (const auto& [name, force] : force_names) {
     const std::size_t k = force == Force::Gradient ? 0 : 1;
     for (int seed = 1; seed <= runs; ++seed) {
-      ThesisOptions thesis{.force = force};
+      ParticleOptions thesis{.force = force};
       thesis.max_picks = setting.quick ? 100.0 : 200.0;
       const Run made = run(domain, *metric_of_thesis(setting.quick ? 150.0 : 400.0),
                            as_written(thesis, static_cast<std::uint64_t>(seed)));

@@ -67,10 +67,10 @@ void use_threads([[maybe_unused]] int count) {
 #endif
 }
 
-GenerateOptions as_written(const ThesisOptions& thesis, std::uint64_t seed) {
+GenerateOptions as_written(const ParticleOptions& thesis, std::uint64_t seed) {
   GenerateOptions options;
   options.schedule = Schedule::Thesis;
-  options.thesis = thesis;
+  options.particles = thesis;
   options.seed = seed;
   return options;
 }

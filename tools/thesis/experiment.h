@@ -66,7 +66,7 @@ Run run(const Domain& domain, const MetricField& field, const GenerateOptions& o
 void use_threads(int count);
 
 /// The thesis's schedule with these parameters.
-GenerateOptions as_written(const ThesisOptions& thesis = {}, std::uint64_t seed = 1);
+GenerateOptions as_written(const ParticleOptions& thesis = {}, std::uint64_t seed = 1);
 
 /// The side length of a uniform mesh with about n vertices on this area.
 double size_for(double area, double vertices);

@@ -45,7 +45,7 @@ Item population(const Setting& setting) {
   std::vector<std::vector<Json>> rows;
   double all_settled = 1.0;
   const auto field = metric_of_thesis(setting.quick ? 200.0 : 1500.0);
-  const auto add = [&](const ThesisOptions& thesis, const char* relocation, const char* creation,
+  const auto add = [&](const ParticleOptions& thesis, const char* relocation, const char* creation,
                        const char* annihilation, const char* triangles) {
     const Run made = run(domain, *field, as_written(thesis));
     all_settled = std::min(all_settled, made.report->settled ? 1.0 : 0.0);
@@ -122,7 +122,7 @@ Domain square_with_fine_hole() {
 
 Item oscillation(const Setting& setting) {
   Item item("oscillation", "6: where creation and annihilation go on for ever, and the cure");
-  ThesisOptions thesis;
+  ParticleOptions thesis;
   thesis.max_picks = setting.quick ? 80.0 : 300.0;
   const Domain square = rectangle(1, 1);
   const SampledMetric abrupt = jump(100, 0.004, 0.1);

@@ -90,7 +90,7 @@ Item picking_order(const Setting& setting) {
   std::array<double, 3> cost{};
   const ConstantField field(Metric::isotropic(size_for(1.0, setting.quick ? 1000 : 60000)));
   for (std::size_t k = 0; k < picking_names.size(); ++k) {
-    ThesisOptions thesis;
+    ParticleOptions thesis;
     thesis.picking = picking_names[k].second;
     const Run made = run(rectangle(1, 1), field, as_written(thesis));
     cost[k] = 1e6 * made.seconds / static_cast<double>(made.report->picks);

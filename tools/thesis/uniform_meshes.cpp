@@ -84,7 +84,7 @@ Item potentials(const Setting& setting) {
     for (const auto& [which, neighbourhood] : neighbourhood_names) {
       if (neighbourhood == Neighbourhood::Radius) continue;
       for (const double momentum : {0.0, 0.9}) {
-        ThesisOptions thesis{.potential = potential, .neighbourhood = neighbourhood, .momentum = momentum};
+        ParticleOptions thesis{.potential = potential, .neighbourhood = neighbourhood, .momentum = momentum};
         thesis.max_picks = setting.quick ? 60.0 : 300.0;
         const Run made = run(rectangle(1, 1), field, as_written(thesis));
         const MeshQuality& q = made.quality;

@@ -34,7 +34,7 @@ TEST_CASE("neighbourhoods of the hexagonal lattice have 6, 18 and as many as the
   const Lattice lattice;
   const ParticleSystem particles(triangulate(lattice.domain), lattice.domain, lattice.field);
   const auto count = [&](Neighbourhood kind, double radius) {
-    const ThesisOptions options{.neighbourhood = kind, .radius = radius};
+    const ParticleOptions options{.neighbourhood = kind, .radius = radius};
     NeighbourSearch search(options);
     const auto found = search.of(particles, lattice.center);
     const std::set<VertexId> distinct(found.begin(), found.end());
@@ -53,7 +53,7 @@ TEST_CASE("no force acts in the middle of the lattice, whatever the potential", 
   const Lattice lattice;
   const ParticleSystem particles(triangulate(lattice.domain), lattice.domain, lattice.field);
   for (const auto& [name, potential] : potential_names) {
-    const ThesisOptions options{.potential = potential, .neighbourhood = Neighbourhood::N2};
+    const ParticleOptions options{.potential = potential, .neighbourhood = Neighbourhood::N2};
     NeighbourSearch search(options);
     CHECK(norm(force_on(particles, lattice.center, search.of(particles, lattice.center), options)) < 1e-12);
   }
@@ -62,7 +62,7 @@ TEST_CASE("no force acts in the middle of the lattice, whatever the potential", 
 TEST_CASE("Newton's step brings a displaced particle of the lattice back", "[mesher][particles][thesis]") {
   const Lattice lattice;
   ParticleSystem particles(triangulate(lattice.domain), lattice.domain, lattice.field);
-  const ThesisOptions options;
+  const ParticleOptions options;
   NeighbourSearch search(options);
   const Vector off{1e-4, -2e-4};
   particles.move(lattice.center, off);

@@ -13,10 +13,10 @@ using namespace parmesan;
 
 namespace {
 
-GenerateOptions as_written(const ThesisOptions& thesis = {}, std::uint64_t seed = 1) {
+GenerateOptions as_written(const ParticleOptions& thesis = {}, std::uint64_t seed = 1) {
   GenerateOptions options;
   options.schedule = Schedule::Thesis;
-  options.thesis = thesis;
+  options.particles = thesis;
   options.seed = seed;
   return options;
 }
@@ -47,7 +47,7 @@ TEST_CASE("a uniform mesh as written settles soon, with unit edges of good quali
 TEST_CASE("every choice of the thesis's parameters gives a valid mesh", "[mesher][particles][thesis]") {
   const Domain domain = support::square_with_everything();
   const CallableField field(curved_layer);
-  ThesisOptions options{.max_picks = 30.0};
+  ParticleOptions options{.max_picks = 30.0};
   const int choice = GENERATE(range(0, 14));
   if (choice < 8) options.potential = potential_names[static_cast<std::size_t>(choice)].second;
   if (choice == 8) options.neighbourhood = Neighbourhood::N2;

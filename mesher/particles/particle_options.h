@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -45,25 +46,32 @@ enum class Annihilation { Removal, Collapse };
 /// How the next particle is picked among those alive: at random, or one after the other along a Hilbert curve.
 enum class Picking { Uniform, BySpeed, Hilbert };
 
-/// The parameters of F. Bossen's algorithm (CMU-CS-96-134), which the thesis leaves to the user. By default as it was
-/// written: remove and reinsert, midpoints, removal, 3.20 over N1 with 5.16 and 5.8, first order.
-struct ThesisOptions {
+/// What F. Bossen's thesis (CMU-CS-96-134) leaves to the user: how particles act on each other, and how they come and
+/// go. By default 3.20 over N1 with 5.16 and 5.8, midpoints, and the rest as the schedule has it; that of the thesis as
+/// it was written: first order, removal, remove and reinsert. The fast schedule does not read the last four.
+struct ParticleOptions {
   PotentialKind potential = PotentialKind::LennardJonesApproximation;
   double decay = 1.0;  // d of 3.20, positive
   Neighbourhood neighbourhood = Neighbourhood::N1;
   double radius = 1.5;  // c of 3.2, in unit edges, for Neighbourhood::Radius
   Force force = Force::AlongEdge;
   EdgeDistance distance = EdgeDistance::MeanMetric;
-  double step = 0.0;              // delta of 3.12; 0: (1 - momentum) of Newton's step on the hexagonal lattice
-  double momentum = 0.0;          // beta of 3.13, in [0, 1); 0: first order, 3.12
-  double alive_speed = 0.01;      // those slower die: metric length of delta v, in one pick
+  // delta of 3.12, by default (1 - momentum) of Newton's step on the hexagonal lattice, and beta of 3.13, in [0, 1),
+  // 0 is first order. Without either the fast schedule has its own.
+  std::optional<double> step = {};
+  std::optional<double> momentum = {};
   bool virtual_triangles = true;  // in the creation rule of 3.4.2
   CreationPlace creation = CreationPlace::EdgeMidpoint;
-  Annihilation annihilation = Annihilation::Removal;
+  std::optional<Annihilation> annihilation = {};  // none: the schedule's
+  double alive_speed = 0.01;                      // those slower die: metric length of delta v, in one pick
   Relocation relocation = Relocation::Reinsert;
   Picking picking = Picking::Uniform;
   double max_picks = 400.0;  // per particle; who is alive then is said in the report
 };
+
+/// Are the forces between particles those that the fast schedule has in a fast form: 3.20 with d = 1, N1, 5.16, 5.8 and
+/// its own step and momentum?
+bool has_default_forces(const ParticleOptions& options);
 
 /// Names in case files and on the command line.
 template <class T>
@@ -103,6 +111,6 @@ constexpr T named_value(const std::array<OptionName<T>, N>& names, std::string_v
 }
 
 /// Throws InputError unless every number is in its range.
-void validate(const ThesisOptions& options);
+void validate(const ParticleOptions& options);
 
 }  // namespace parmesan

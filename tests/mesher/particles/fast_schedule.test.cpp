@@ -1,0 +1,71 @@
+#include "mesher/particles/fast_schedule.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "mesher/generate.h"
+#include "mesher/particles/potentials.h"
+#include "mesher/quality.h"
+#include "tests/oracle/mesh_checker.h"
+#include "tests/support/domains.h"
+
+using namespace parmesan;
+
+namespace {
+
+Metric curved_layer(const Point& p) {
+  const double d = norm(p) - 0.7;
+  return Metric::from_sizes(0.01 + 0.1 * std::min(1.0, std::abs(d)), 0.1, std::atan2(p.y, p.x));
+}
+
+}  // namespace
+
+TEST_CASE("every choice of forces and of how particles come and go gives a good mesh", "[mesher][particles]") {
+  const Domain domain = support::square_with_everything();
+  const CallableField field(curved_layer);
+  const std::vector<ParticleOptions> choices{{.potential = PotentialKind::GaussianDerivative},
+                                             {.potential = PotentialKind::LennardJones},
+                                             {.potential = PotentialKind::Shimada},
+                                             {.potential = PotentialKind::Laplacian},
+                                             {.potential = PotentialKind::LengthError},
+                                             {.potential = PotentialKind::RatioError},
+                                             {.decay = 2.0},
+                                             {.neighbourhood = Neighbourhood::N2},
+                                             {.neighbourhood = Neighbourhood::Radius, .radius = 1.8},
+                                             {.force = Force::Gradient},
+                                             {.distance = EdgeDistance::LinearMetric},
+                                             {.distance = EdgeDistance::MeanLength},
+                                             {.step = 0.05},
+                                             {.momentum = 0.7},
+                                             {.virtual_triangles = false},
+                                             {.creation = CreationPlace::Circumcentre},
+                                             {.annihilation = Annihilation::Removal}};
+  const Mesh usual = generate(domain, field).mesh;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    CAPTURE(i);
+    GenerateOptions options;
+    options.particles = choices[i];
+    const GenerateResult made = generate(domain, field, options);
+    CHECK(oracle::problems_of(made.mesh) == std::vector<std::string>{});
+    CHECK(oracle::area_of(made.mesh) == Approx(1.0 - 0.0625 - 0.0025).epsilon(0.02));
+    const MeshQuality quality = measure_quality(made.mesh, made.metrics);
+    const bool only_attracts = choices[i].potential == PotentialKind::Laplacian;  // lengths are the population's alone
+    CHECK(quality.unit_edges >= (only_attracts ? 0.85 : 0.97));
+    CHECK(quality.quality_mean >= 0.93);
+    CHECK(made.mesh.points != usual.points);
+  }
+}
+
+TEST_CASE("the usual forces said in general are the fast ones to rounding", "[mesher][particles]") {
+  // With a step of their own they go the general way: no table, each pair by itself.
+  const Domain domain = support::unit_square();
+  const CallableField field(curved_layer);
+  GenerateOptions general;
+  general.particles.step = LennardJonesApproximation::step;
+  const MeshQuality a = measure_quality(generate(domain, field).mesh, generate(domain, field).metrics);
+  const GenerateResult made = generate(domain, field, general);
+  const MeshQuality b = measure_quality(made.mesh, made.metrics);
+  CHECK(b.quality_mean == Approx(a.quality_mean).epsilon(0.005));
+  CHECK(b.unit_edges == Approx(a.unit_edges).epsilon(0.005));
+}
