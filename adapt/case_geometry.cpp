@@ -114,6 +114,7 @@ void rename_sides(CaseReading& reading, const Json& names, DomainBuilder& builde
   const std::string pointer = kGeometry + "/labels";
   const std::vector<int> labels = builder.labels_in_use();
   std::vector<std::string> present;
+  present.reserve(labels.size());
   for (const int label : labels) present.push_back(label_name(builder.domain().label_names, label));
   for (const auto& [old_name, new_name] : names.items()) {
     if (old_name.starts_with("x-")) continue;

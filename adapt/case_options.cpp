@@ -118,12 +118,12 @@ void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   }
 }
 
-/// Limits on the members of "functionals" and "fluxes".
-void read_group(const std::string& group, const Json& section, Case& result) {
+/// Limits on the members of "functionals" or "fluxes", which the prefix names, with a dot.
+void read_group(const std::string& prefix, const Json& section, Case& result) {
   for (const auto& [name, value] : section.items()) {
     if (name.starts_with("x-")) continue;
     result.expect.push_back(
-        {group + "." + name, optional_number(value, "min"), optional_number(value, "max"), std::nullopt});
+        {prefix + name, optional_number(value, "min"), optional_number(value, "max"), std::nullopt});
   }
 }
 
@@ -131,7 +131,7 @@ void read_expectations(CaseReading& reading, const Json& section, Case& result) 
   for (const auto& [name, value] : section.items()) {
     if (name.starts_with("x-")) continue;
     if (name == "functionals" || name == "fluxes") {
-      read_group(name, value, result);
+      read_group(name + ".", value, result);
       continue;
     }
     Expectation expectation{name, std::nullopt, std::nullopt, std::nullopt};

@@ -114,6 +114,7 @@ class EquationReader {
 
   void check_regions(const Json& value, const std::string& pointer, const std::map<std::string, int>& numbers) {
     std::vector<std::string> names;
+    names.reserve(numbers.size());
     for (const auto& entry : numbers) names.push_back(entry.first);
     for (const auto& entry : value.items()) {
       const std::string& name = entry.key();

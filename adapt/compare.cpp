@@ -81,10 +81,10 @@ class Comparison {
 
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
 
-  void add(CompareRow row) {
+  void add(const CompareRow& row) {
     std::string line = std::string(to_string(row.family)) + padded(std::to_string(row.vertices), 9) + " vertices  L2 " +
                        short_number(row.leading_l2(), 4) + "  " + short_number(row.cpu_seconds, 3) + " s";
-    result_.rows.push_back(std::move(row));
+    result_.rows.push_back(row);
     if (options_.progress && !options_.quiet) options_.progress(line);
   }
 

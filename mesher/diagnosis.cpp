@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "mesher/constraint_map.h"
 #include "mesher/metric/metric_length.h"
@@ -15,12 +17,7 @@ constexpr double poor_quality = 0.3;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Two vertices, low < high.
-struct Edge {
-  int low;
-  int high;
-  auto operator<=>(const Edge&) const = default;
-};
+using Edge = std::pair<int, int>;  // two vertices, the lower first
 
 /// What has to be looked at closely.
 struct Suspects {

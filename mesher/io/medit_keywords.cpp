@@ -24,7 +24,7 @@ void read_medit_version(TextReader& in) {
 }
 
 std::string read_medit_keyword(TextReader& in) {
-  const std::string keyword = lower_case(in.word("the keyword End"));
+  std::string keyword = lower_case(in.word("the keyword End"));
   if (keyword.front() < 'a' || keyword.front() > 'z') in.fail("a keyword should stand here; is a count too small?");
   return keyword;
 }

@@ -60,7 +60,7 @@ void QuadEdge::swap(EdgeId e) {
 void QuadEdge::delete_edge(EdgeId e) {
   assert(onext(e) == e && onext(sym(e)) == sym(e));
   const std::int32_t q = undirected(e);
-  rings_[static_cast<std::size_t>(4 * q)].next = no_edge;
+  rings_[4 * static_cast<std::size_t>(q)].next = no_edge;
   freed_.push_back(q);
 }
 

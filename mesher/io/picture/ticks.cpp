@@ -56,7 +56,9 @@ std::vector<Tick> nice_ticks(double low, double high, int max_count) {
   }
   const Steps steps = nice_steps(low, high, max_count);
   std::vector<Tick> ticks;
-  for (double k = steps.first; k <= steps.last; k += 1.0) {
+  const auto count = static_cast<int>(steps.last - steps.first) + 1;
+  for (int i = 0; i < count; ++i) {
+    const double k = steps.first + i;
     const double value = k == 0.0 ? 0.0 : k * steps.step;
     ticks.push_back({value, tick_label(value, largest, steps.step)});
   }
