@@ -264,7 +264,7 @@ constexpr const char* kSchema = R"schema({
     },
     "output": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
-      "properties": { "formats": { "type": "array", "items": { "enum": ["vtu", "mesh", "svg"] },
+      "properties": { "formats": { "type": "array", "items": { "enum": ["vtu", "mesh", "svg", "png"] },
                                    "default": ["vtu", "mesh", "svg"] } }
     },
     "limits": {

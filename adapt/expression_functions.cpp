@@ -162,6 +162,7 @@ std::optional<BinaryFunction> find_binary(std::string_view name) {
 const std::vector<std::string>& function_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
+    all.reserve(std::size(kUnary) + std::size(kBinary));
     for (const auto& entry : kUnary) all.emplace_back(entry.name);
     for (const auto& entry : kBinary) all.emplace_back(entry.first);
     return all;

@@ -105,11 +105,13 @@ std::vector<Part> initial_parts(const Mesh& mesh, const Expression& function) {
   }
   while (!pieces.empty() && pieces.size() < min_parts) {
     std::vector<std::array<Point, 3>> finer;
+    finer.reserve(4 * pieces.size());
     for (const auto& piece : pieces)
       for (const auto& quarter : quarters(piece)) finer.push_back(quarter);
     pieces.swap(finer);
   }
   std::vector<Part> parts;
+  parts.reserve(pieces.size());
   for (const auto& piece : pieces) parts.push_back(make_part(function, piece));
   return parts;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapt/io/png.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/output_file.h"
@@ -27,8 +28,8 @@ void make_folder(const std::string& path) {
 }
 
 // What a run or a comparison writes at its end, so that nothing of an earlier one is left to mislead.
-constexpr std::array final_files{"summary.json", "report.html", "mesh.vtu",    "mesh.mesh",
-                                 "mesh.svg",     "run.pvd",     "compare.csv", "convergence.csv"};
+constexpr std::array final_files{"summary.json", "report.html", "mesh.vtu",    "mesh.mesh",      "mesh.svg",
+                                 "mesh.png",     "run.pvd",     "compare.csv", "convergence.csv"};
 constexpr std::array files_on_the_way{"case.json", "iterations", "checkpoint"};
 
 void remove_files(const std::string& path, std::span<const char* const> names) {
@@ -81,14 +82,14 @@ bool all_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
-void write_picture(const std::string& path, const Case& input, const Iterate& last) {
+PictureOptions picture_of(const Case& input, const Iterate& last) {
   PictureOptions options;
   options.title = input.title.empty() ? input.name : input.title;
   if (all_finite(last.values)) {
     options.values = last.values;
     options.values_name = "u";
   }
-  write_svg(path, last.mesh, options);
+  return options;
 }
 
 }  // namespace
@@ -136,7 +137,8 @@ void RunFolder::finish(const Summary& summary, const Iterate& last) const {
     write_vtu(file("mesh.vtu"), last.mesh, fields_of(case_, last));
   }
   if (wants("mesh")) write_medit(file("mesh.mesh"), last.mesh);
-  if (wants("svg")) write_picture(file("mesh.svg"), case_, last);
+  if (wants("svg")) write_svg(file("mesh.svg"), last.mesh, picture_of(case_, last));
+  if (wants("png")) write_png(file("mesh.png"), last.mesh, picture_of(case_, last));
   write_file(file("convergence.csv"), convergence_csv(summary));
   write_file(file("summary.json"), to_json(summary).dump(2) + "\n", true);
 }

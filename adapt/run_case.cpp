@@ -106,6 +106,7 @@ int exit_code(const Summary& summary) {
 std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const Summary& summary) {
   const Json json = to_json(summary);
   std::vector<Verdict> verdicts;
+  verdicts.reserve(expectations.size());
   for (const Expectation& expected : expectations) verdicts.push_back(verdict(expected, json));
   return verdicts;
 }

@@ -1,6 +1,6 @@
 # Sourced by tools/parmesan and tools/test: makes sure that Debian packages are there, and builds quietly.
 
-readonly build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev)
+readonly build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libcairo2-dev)
 
 say() { echo "${0##*/}: $*" >&2; }
 fail() { say "error: $*"; exit 1; }

@@ -42,17 +42,6 @@ void write_medit_data(const std::string& path, const Mesh& mesh, const MeshField
   if (!fields.empty()) write_medit_fields(with_suffix(path, is_binary ? ".solb" : ".sol"), fields);
 }
 
-/// What a picture shows: the mesh, coloured by its first scalar field.
-PictureOptions picture_options(const MeshFields& fields) {
-  PictureOptions options;
-  const auto field = std::find_if(fields.points.begin(), fields.points.end(),
-                                  [](const MeshField& candidate) { return candidate.components == 1; });
-  if (field == fields.points.end()) return options;
-  options.values = field->values;
-  options.values_name = field->name;
-  return options;
-}
-
 /// The fields in the file of this suffix beside the mesh; none where there is no such file.
 MeshFields fields_beside(const std::string& path, const char* suffix, const Mesh& mesh) {
   const std::string fields_path = with_suffix(path, suffix);
@@ -75,13 +64,35 @@ MeshFields medit_fields_beside(const std::string& path, const Mesh& mesh) {
 
 }  // namespace
 
+bool is_written_mesh_file_name(const std::string& path) { return format_of(path) != Format::Unknown; }
+
 void check_mesh_file_name(const std::string& path) {
-  if (format_of(path) != Format::Unknown) return;
-  throw FileError(path, 0,
-                  "no mesh is written to this suffix; known are .mesh .meshb .msh .vtu .svg .eps .node .ele .poly");
+  if (is_written_mesh_file_name(path)) return;
+  throw FileError(path, 0, "no mesh is written to this suffix; known are " + std::string(written_suffixes));
 }
 
-void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields& fields, Encoding encoding) {
+void draw_with_fields(const MeshFields& fields, const WriteOptions& options,
+                      const std::function<void(const PictureOptions&)>& draw) {
+  PictureOptions picture = options.picture;
+  const auto first = [&fields](int components) {
+    return std::ranges::find(fields.points, components, &MeshField::components);
+  };
+  if (const auto scalars = first(1); scalars != fields.points.end()) {
+    picture.values = scalars->values;
+    picture.values_name = scalars->name;
+  }
+  std::vector<Metric> metrics;
+  if (const auto tensors = first(3); options.show_metrics && tensors != fields.points.end()) {
+    const std::vector<double>& v = tensors->values;
+    metrics.reserve(v.size() / 3);
+    for (std::size_t i = 0; i + 2 < v.size(); i += 3)
+      metrics.push_back(Metric::from_tensor({v[i], v[i + 1], v[i + 2]}));
+  }
+  picture.metrics = metrics;
+  draw(picture);
+}
+
+void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields& fields, const WriteOptions& options) {
   check_mesh_file_name(path);
   check_fields(fields, mesh);
   switch (format_of(path)) {
@@ -90,7 +101,7 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
     case Format::BinaryMedit:
       return write_medit_data(path, mesh, fields, true);
     case Format::Gmsh:
-      return write_msh(path, mesh, fields, encoding);
+      return write_msh(path, mesh, fields, options.encoding);
     case Format::Triangle:
       return write_triangle_mesh(path, mesh);
     case Format::Poly:
@@ -98,9 +109,9 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
     case Format::Vtu:
       return write_vtu(path, mesh, fields);
     case Format::Svg:
-      return write_svg(path, mesh, picture_options(fields));
+      return draw_with_fields(fields, options, [&](const PictureOptions& picture) { write_svg(path, mesh, picture); });
     case Format::Eps:
-      return write_eps(path, mesh, picture_options(fields));
+      return draw_with_fields(fields, options, [&](const PictureOptions& picture) { write_eps(path, mesh, picture); });
     case Format::Unknown:
       break;
   }

@@ -107,3 +107,22 @@ TEST_CASE("What cannot be converted is refused, and nothing is written", "[syste
   CHECK(result.exit_code == 7);
   CHECK_THAT(result.err, Catch::Contains("a.sol") && Catch::Contains("4 vertices"));
 }
+
+TEST_CASE("convert draws labels with a legend and metrics as ellipses, in every kind of picture", "[system][convert]") {
+  const TemporaryFolder folder;
+  const std::string mesh =
+      folder.write("m.mesh",
+                   "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                   "Edges 4\n1 2 1\n2 3 12345\n3 4 3\n4 1 4\nTriangles 2\n1 2 3 0\n1 3 4 0\nEnd\n");
+  folder.write("m.sol",
+               "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 4\n1 3\n"
+               "100 0 2500\n100 0 2500\n100 0 2500\n100 0 2500\nEnd\n");
+  for (const char* name : {"a.svg", "a.eps", "a.png"}) {
+    CAPTURE(name);
+    REQUIRE(run_program({"convert", mesh, folder / "plain" + std::string(name)}).exit_code == 0);
+    REQUIRE(run_program({"convert", "--labels", "--metrics", mesh, folder / name}).exit_code == 0);
+    CHECK(read_file(folder / name).size() > read_file(folder / "plain" + std::string(name)).size());
+  }
+  CHECK_THAT(read_file(folder / "a.svg"), Catch::Contains("12345"));
+  CHECK(read_file(folder / "a.png").substr(1, 3) == "PNG");
+}

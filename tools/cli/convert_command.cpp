@@ -3,11 +3,11 @@
 #include <string>
 
 #include "adapt/io/any_geometry.h"
+#include "adapt/io/any_mesh.h"
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/io/medit_fields.h"
-#include "mesher/io/mesh_file.h"
 #include "mesher/io/text.h"
 #include "mesher/io/triangle_files.h"
 #include "tools/cli/commands.h"
@@ -20,7 +20,7 @@ namespace {
 struct ConvertArguments {
   std::string in;
   std::string out;
-  bool binary = false;
+  WriteOptions write;
   bool repair = false;
   CommonOptions common;
 };
@@ -53,7 +53,7 @@ void convert_fields(const ConvertArguments& arguments) {
 void convert_geometry(const ConvertArguments& arguments) {
   const Domain domain = read_domain(arguments.in, arguments.repair);
   if (file_suffix(arguments.out) == ".poly") return write_poly(arguments.out, with_hole_seeds(domain));
-  write_mesh_file(arguments.out, triangulated(domain), {}, arguments.binary ? Encoding::Binary : Encoding::Text);
+  write_any_mesh(arguments.out, triangulated(domain), {}, arguments.write);
 }
 
 void convert_mesh(const ConvertArguments& arguments) {
@@ -61,7 +61,7 @@ void convert_mesh(const ConvertArguments& arguments) {
   if (file_suffix(arguments.out) == ".poly") {
     return write_poly(arguments.out, with_hole_seeds(geometry_of(std::move(data.mesh))));
   }
-  write_mesh_file(arguments.out, data.mesh, data.fields, arguments.binary ? Encoding::Binary : Encoding::Text);
+  write_any_mesh(arguments.out, data.mesh, data.fields, arguments.write);
 }
 
 ExitCode convert(const ConvertArguments& arguments) {
@@ -70,7 +70,7 @@ ExitCode convert(const ConvertArguments& arguments) {
     convert_fields(arguments);
     return ExitCode::Done;
   }
-  check_mesh_file_name(arguments.out);
+  check_any_mesh_name(arguments.out);
   if (is_any_domain_file_name(arguments.in)) {
     convert_geometry(arguments);
   } else {
@@ -81,19 +81,41 @@ ExitCode convert(const ConvertArguments& arguments) {
 
 }  // namespace
 
+namespace {
+
+void add_picture_options(CLI::App& app, WriteOptions& write) {
+  const char* group = "Pictures (.svg .eps .png)";
+  app.add_flag("--labels", write.picture.show_labels, "Boundaries in the colours of their labels, with a legend")
+      ->group(group);
+  app.add_flag("--metrics", write.show_metrics, "The first tensor field at vertices, as ellipses of half a unit edge")
+      ->group(group);
+  app.add_flag_callback(
+         "--no-edges", [&write] { write.picture.show_edges = false; }, "Without the triangles' sides")
+      ->group(group);
+  app.add_option("--width", write.picture.width_px, "In pixels, of which a .png has twice as many [900]")
+      ->check(CLI::Range(200, 16000))
+      ->option_text("N")
+      ->group(group);
+}
+
+}  // namespace
+
 Command add_convert_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("convert", "From one file format to another");
   const auto arguments = std::make_shared<ConvertArguments>();
   app->add_option("IN", arguments->in,
                   "A mesh (.mesh .meshb .msh .node .ele), with the .sol or .solb beside it; a geometry (.poly .geojson "
-                  ".dat), which is triangulated without new vertices; or a .sol or .solb")
+                  ".dat, or a case .json), which is triangulated without new vertices; or a .sol or .solb")
       ->required()
       ->option_text(" ");
   app->add_option("OUT", arguments->out,
-                  "The suffix names the format: .mesh .meshb .msh .vtu .svg .eps .node .ele .poly, or .sol .solb")
+                  "The suffix names the format: .mesh .meshb .msh .vtu .svg .eps .png .node .ele .poly, or .sol .solb")
       ->required()
       ->option_text(" ");
-  app->add_flag("--binary", arguments->binary, "Binary .msh; .mesh and .meshb tell by their names");
+  app->add_flag_callback(
+      "--binary", [arguments] { arguments->write.encoding = Encoding::Binary; },
+      "Binary .msh; .mesh and .meshb tell by their names");
+  add_picture_options(*app, arguments->write);
   add_repair_option(*app, arguments->repair);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan convert part.msh part.meshb");

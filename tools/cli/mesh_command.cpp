@@ -3,12 +3,13 @@
 #include <memory>
 #include <optional>
 
+#include "adapt/io/any_mesh.h"
+#include "adapt/io/png.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/io/eps.h"
 #include "mesher/io/evolution.h"
 #include "mesher/io/medit_fields.h"
-#include "mesher/io/mesh_file.h"
 #include "mesher/io/svg.h"
 #include "mesher/io/text.h"
 #include "mesher/metric/background_mesh.h"
@@ -136,13 +137,14 @@ void write_voronoi(const std::string& path, const Mesh& mesh) {
   const std::string suffix = file_suffix(path);
   if (suffix == ".svg") return write_svg(path, cells, options);
   if (suffix == ".eps") return write_eps(path, cells, options);
-  write_mesh_file(path, cells);
+  if (suffix == ".png") return write_png(path, cells, options);
+  write_any_mesh(path, cells);
 }
 
 ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
-  for (const std::string& output : arguments.outputs) check_mesh_file_name(output);
-  for (const std::string& output : arguments.voronoi) check_mesh_file_name(output);
+  for (const std::string& output : arguments.outputs) check_any_mesh_name(output);
+  for (const std::string& output : arguments.voronoi) check_any_mesh_name(output);
   const Domain domain = read_domain(arguments.geometry, arguments.repair);
   const Inputs inputs = read_inputs(arguments, domain);
   std::optional<EvolutionWriter> evolution;
@@ -151,7 +153,7 @@ ExitCode mesh(const MeshArguments& arguments) {
                                          inputs.previous ? &*inputs.previous : nullptr);
   print_warnings(result.report.warnings);
   if (arguments.common.verbose) std::cerr << "complexity " << format_number(result.report.complexity) << std::endl;
-  for (const std::string& output : arguments.outputs) write_mesh_file(output, result.mesh);
+  for (const std::string& output : arguments.outputs) write_any_mesh(output, result.mesh);
   for (const std::string& output : arguments.voronoi) write_voronoi(output, result.mesh);
   if (evolution) evolution->finish(result.mesh);
   const Diagnosis& diagnosis = result.report.diagnosis;

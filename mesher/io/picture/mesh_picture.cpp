@@ -6,6 +6,8 @@
 #include "mesher/errors.h"
 #include "mesher/io/picture/axes.h"
 #include "mesher/io/picture/colour_map.h"
+#include "mesher/io/picture/labelled_edges.h"
+#include "mesher/io/picture/metric_ellipses.h"
 #include "mesher/io/picture/side_classes.h"
 #include "mesher/io/picture/value_bands.h"
 
@@ -17,6 +19,8 @@ void check(const Mesh& mesh, const PictureOptions& options) {
     throw InputError("a picture needs one value per vertex, has " + std::to_string(options.values.size()) + " for " +
                      std::to_string(mesh.points.size()));
   }
+  if (!options.metrics.empty() && options.metrics.size() != mesh.points.size())
+    throw InputError("a picture needs one metric per vertex");
   if (options.width_px < 200 || options.width_px > 20000) throw InputError("width_px must be from 200 to 20000");
   if (options.num_colours < 2 || options.num_colours > 256) throw InputError("num_colours must be from 2 to 256");
   range_of(options.values);
@@ -33,6 +37,13 @@ void draw_sides(Canvas& canvas, const Mesh& mesh, const View& view, bool coloure
   for (const SideClass& sides : side_classes(mesh, view)) {
     canvas.stroke(sides.path, {coloured ? "#000000" : "#334155", sides.width_px, coloured ? 0.35 : 1.0, false});
   }
+}
+
+void draw_labels(Canvas& canvas, const Mesh& mesh, const PictureLayout& layout) {
+  const std::vector<LabelledEdges> edges = labelled_edges(mesh, layout.view);
+  for (const LabelledEdges& of_label : edges) canvas.stroke(of_label.path, {of_label.colour, 2.2, 1.0, true});
+  const double left = layout.view.corner.x;
+  draw_legend(canvas, edges, {left, layout.height - layout.legend}, layout.width - left);
 }
 
 void draw_edges(Canvas& canvas, const Mesh& mesh, const View& view) {
@@ -61,8 +72,10 @@ PictureLayout picture_layout(const Mesh& mesh, const PictureOptions& options) {
   const double room_y = 1.5 * layout.width;  // tall domains are drawn narrower than the picture
   const double scale = std::min(room_x / extent.x, room_y / extent.y);
   layout.view.scale = std::isfinite(scale) ? scale : 1.0;  // not for a mesh that is a point
-  layout.height = top + layout.view.height() + bottom;
   layout.view.corner = {left + 0.5 * (room_x - layout.view.width()), top + layout.view.height()};
+  if (options.show_labels)
+    layout.legend = legend_height(labelled_edges(mesh, layout.view), layout.width - layout.view.corner.x);
+  layout.height = top + layout.view.height() + bottom + layout.legend;
   return layout;
 }
 
@@ -75,7 +88,12 @@ void draw_mesh(Canvas& canvas, const Mesh& mesh, const PictureLayout& layout, co
   const bool coloured = !options.values.empty();
   if (coloured) draw_bands(canvas, mesh, view, options);
   if (options.show_edges) draw_sides(canvas, mesh, view, coloured);
-  draw_edges(canvas, mesh, view);
+  if (!options.metrics.empty())
+    canvas.stroke(metric_ellipses(mesh, view, options.metrics), {"#b91c1c", 0.9, 1.0, false});
+  if (options.show_labels)
+    draw_labels(canvas, mesh, layout);
+  else
+    draw_edges(canvas, mesh, view);
   if (options.show_axes) draw_axes(canvas, view);
   if (coloured) {
     const Point corner{layout.width - 76.0, view.corner.y - view.height()};
