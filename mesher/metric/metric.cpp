@@ -25,7 +25,7 @@ Metric Metric::from_sizes(double h1, double h2, double angle) {
 
 Metric Metric::from_tensor(const SymmetricTensor& t) {
   const bool finite = std::isfinite(t.xx) && std::isfinite(t.xy) && std::isfinite(t.yy);
-  if (!finite || t.xx <= 0.0 || t.yy <= 0.0 || eigen_decomposition(t).l2 <= 0.0) {
+  if (!finite || t.xx <= 0.0 || t.yy <= 0.0 || eigenvalues(t).second <= 0.0) {
     throw InputError("a metric must be finite and positive definite, not [" + std::to_string(t.xx) + " " +
                      std::to_string(t.xy) + "; " + std::to_string(t.xy) + " " + std::to_string(t.yy) + "]");
   }

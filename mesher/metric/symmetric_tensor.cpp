@@ -4,23 +4,22 @@
 
 namespace parmesan {
 
-Eigen2 eigen_decomposition(const SymmetricTensor& a) {
+std::pair<double, double> eigenvalues(const SymmetricTensor& a) {
   const double t = 0.5 * (a.xx + a.yy);
-  const double d = 0.5 * (a.xx - a.yy);
-  const double r = std::hypot(d, a.xy);
-  Eigen2 e{t + r, t - r, {1.0, 0.0}};
-  if (r == 0.0) return e;
-  const double larger = std::abs(e.l1) >= std::abs(e.l2) ? e.l1 : e.l2;
+  const double r = std::hypot(0.5 * (a.xx - a.yy), a.xy);
+  if (r == 0.0) return {t, t};
+  const double larger = t >= 0.0 ? t + r : t - r;  // in absolute value
   // A rank-one tensor whose product underflows must not turn a zero into NaN.
   const double smaller = larger != 0.0 ? (a.xx / larger) * a.yy - (a.xy / larger) * a.xy : 0.0;
-  if (larger == e.l1) {
-    e.l2 = smaller;
-  } else {
-    e.l1 = smaller;
-  }
+  return t >= 0.0 ? std::pair(larger, smaller) : std::pair(smaller, larger);
+}
+
+Eigen2 eigen_decomposition(const SymmetricTensor& a) {
+  const auto [l1, l2] = eigenvalues(a);
+  const double d = 0.5 * (a.xx - a.yy);
+  if (d == 0.0 && a.xy == 0.0) return {l1, l2, {1.0, 0.0}};
   const double angle = 0.5 * std::atan2(a.xy, d);
-  e.axis = {std::cos(angle), std::sin(angle)};
-  return e;
+  return {l1, l2, {std::cos(angle), std::sin(angle)}};
 }
 
 SymmetricTensor compose(const Eigen2& e) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "mesher/geometry/point.h"
 
@@ -45,6 +46,9 @@ struct Eigen2 {
 
 /// Eigen-decomposition. The eigenvalue of smaller magnitude keeps its digits (it is det / the other).
 Eigen2 eigen_decomposition(const SymmetricTensor& a);
+
+/// The eigenvalues alone, l1 >= l2.
+std::pair<double, double> eigenvalues(const SymmetricTensor& a);
 
 /// l1 a a^T + l2 b b^T with b = a turned by 90 degrees.
 SymmetricTensor compose(const Eigen2& e);

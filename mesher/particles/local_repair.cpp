@@ -51,8 +51,10 @@ bool needs_repair(const Star& star, const Point& p, const Metric& m) {
   return quality < poor_quality || (quality < suspect_quality && strict_deficit(star, p, m) > 0.0);
 }
 
-// The sum that repair makes smaller; infinite where a triangle is not counter-clockwise.
-double misfit(const Star& star, const Point& p, const Metric& m) {
+// The sum that repair makes smaller; infinite where a triangle is not counter-clockwise. One that reaches the limit is
+// not summed up to its end.
+double misfit(const Star& star, const Point& p, const Metric& m,
+              double limit = std::numeric_limits<double>::infinity()) {
   constexpr double weight_of_lengths = 3.0;
   constexpr double weight_of_deficit = 10.0;
   const double tolerated = std::log(longest);
@@ -61,6 +63,7 @@ double misfit(const Star& star, const Point& p, const Metric& m) {
     const Star::Spoke& a = star.spoke(i);
     const double length = metric_edge_length(a.point - p, m, a.metric);
     sum += weight_of_lengths * square(std::max(0.0, std::abs(std::log(length)) - tolerated));
+    if (sum >= limit) return sum;
     if (!a.has_triangle) continue;
     const Star::Spoke& b = star.next(i);
     if (orient2d(p, a.point, b.point) <= 0.0) return std::numeric_limits<double>::infinity();
@@ -92,7 +95,7 @@ Point best_place_near(const ParticleSystem& particles, const Star& star, VertexI
     const Point center = best;
     for (const Vector& direction : compass) {
       const Point p = center + step * direction;
-      const double there = misfit(star, p, particles.metric_near(v, p));
+      const double there = misfit(star, p, particles.metric_near(v, p), least);
       if (there < least) {
         least = there;
         best = p;
