@@ -1,21 +1,21 @@
 #include "mesher/delaunay_mesh.h"
 
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/triangulate.h"
+#include "mesher/user_labels.h"
 
 namespace parmesan {
 
 DelaunayMesh delaunay_mesh(const Domain& domain) {
   CleanDomain cleaned = clean(domain);
-  std::vector<int> labels;
-  labels.reserve(cleaned.domain.segments.size());
-  for (const Segment& segment : cleaned.domain.segments) labels.push_back(segment.label);
+  std::vector<int> numbers(cleaned.domain.segments.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
   DelaunayMesh result;
-  result.mesh = to_mesh(triangulate(cleaned.domain), labels).mesh;
-  result.mesh.label_names = domain.label_names;
-  result.mesh.region_names = domain.region_names;
+  result.mesh = with_user_labels(to_mesh(triangulate(cleaned.domain), numbers).mesh, cleaned.domain).mesh;
   result.repairs = std::move(cleaned.repairs);
   return result;
 }

@@ -14,7 +14,8 @@ struct DelaunayMesh {
   std::vector<std::string> repairs;
 };
 
-/// The constrained Delaunay triangulation of a domain as a mesh: no vertex is added, labels, regions and their names
+/// The constrained Delaunay triangulation of a domain as a mesh: no vertex is added (but see
+/// clean() for cracks), labels, regions and their names
 /// are the domain's. Errors: GeometryError as clean and triangulate. Cost: O(n log n) expected.
 DelaunayMesh delaunay_mesh(const Domain& domain);
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "mesher/cracks.h"
 #include "mesher/errors.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/particles/error_descent.h"
@@ -17,6 +18,7 @@
 #include "mesher/triangulation/ordering.h"
 #include "mesher/triangulation/refine.h"
 #include "mesher/triangulation/triangulate.h"
+#include "mesher/user_labels.h"
 
 namespace parmesan {
 namespace {
@@ -28,12 +30,6 @@ std::vector<int> segment_numbers(const Domain& domain) {
   std::vector<int> numbers(domain.segments.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   return numbers;
-}
-
-std::vector<int> segment_labels(const Domain& domain) {
-  std::vector<int> labels;
-  for (const Segment& s : domain.segments) labels.push_back(s.label);
-  return labels;
 }
 
 void check_size(double expected, std::int64_t max_vertices) {
@@ -147,13 +143,12 @@ Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mes
   return taken_lower_in_error(particles, options.hessian);
 }
 
-// Edges carry their segment's number while meshing; the user's label at the end.
-Mesh with_user_labels(Mesh mesh, const Domain& domain) {
-  const std::vector<int> labels = segment_labels(domain);
-  for (int& label : mesh.labels) label = labels[static_cast<std::size_t>(label)];
-  mesh.label_names = domain.label_names;
-  mesh.region_names = domain.region_names;
-  return mesh;
+// Both sides of a crack have the metric of the particles on it.
+std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metric>& metrics) {
+  std::vector<Metric> result;
+  result.reserve(opened.sources.size());
+  for (const int v : opened.sources) result.push_back(metrics[static_cast<std::size_t>(v)]);
+  return result;
 }
 
 }  // namespace
@@ -170,6 +165,8 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
 
   StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<std::vector<int>> segments;
+  std::optional<Mesh> closed;  // the particles of a crack are those of both its sides
+  if (previous != nullptr && has_cracks(*previous)) previous = &closed.emplace(close_cracks(*previous).mesh);
   if (previous != nullptr) {
     segments = match_edges_to_segments(*previous, domain);
     choice.reason = "the previous mesh does not fit the geometry";
@@ -196,9 +193,10 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   result.report.start = choice.start;
   result.report.start_reason = std::move(choice.reason);
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);
-  result.mesh = with_user_labels(std::move(relaxed.mesh), domain);
-  if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain);
-  result.metrics = std::move(relaxed.metrics);
+  OpenedMesh opened = with_user_labels(std::move(relaxed.mesh), domain);
+  result.metrics = metrics_of(opened, relaxed.metrics);
+  result.mesh = std::move(opened.mesh);
+  if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain).mesh;
   result.report.complexity = integrate_complexity(result.mesh, result.metrics);
   validate(result.mesh);
   return result;

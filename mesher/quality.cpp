@@ -57,7 +57,8 @@ double metric_angle(const Vector& a, const Vector& b, const Metric& m) {
   return std::atan2(m.density() * std::abs(cross(a, b)), dot(a, m.tensor() * b));
 }
 
-// Vertices where the boundary turns sharply: triangles there cannot be good.
+// Vertices where the boundary turns sharply: triangles there cannot be good. At the tip of a crack it turns all the way
+// round.
 std::vector<bool> sharp_corners(const Mesh& mesh, std::span<const Metric> metrics) {
   std::vector<std::array<int, 2>> ends(mesh.points.size(), {-1, -1});
   for (const auto& [a, b] : mesh.edges) {
@@ -71,7 +72,7 @@ std::vector<bool> sharp_corners(const Mesh& mesh, std::span<const Metric> metric
     if (ends[v][1] < 0) continue;
     const Vector a = mesh.points[at(ends[v][0])] - mesh.points[v];
     const Vector b = mesh.points[at(ends[v][1])] - mesh.points[v];
-    sharp[v] = metric_angle(a, b, metrics[v]) < std::numbers::pi / 6.0;
+    sharp[v] = a != b && metric_angle(a, b, metrics[v]) < std::numbers::pi / 6.0;
   }
   return sharp;
 }

@@ -15,6 +15,7 @@ CleanDomain clean(const Domain& domain, Crossings crossings) {
   repair = split_at_inner_vertices(std::move(repair));
   if (crossings == Crossings::Split) repair = split_at_crossings(std::move(repair));
   refuse_crossings(repair);
+  repair = halve_single_cracks(std::move(repair));
   repair = require_enclosure(std::move(repair));
   repair = note_close_points(std::move(repair));
   return {std::move(repair.domain), std::move(repair.repairs)};

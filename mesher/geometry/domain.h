@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,12 +9,20 @@
 
 namespace parmesan {
 
-/// One straight piece of the boundary, or of an interior constraint, between two domain points.
+/// One straight piece of the boundary, of an interior constraint or of a crack, between two domain points.
 struct Segment {
   int a = 0;
   int b = 0;
-  int label = 0;
+  int label = 0;                        // of a crack: of the side to the left of a -> b
+  std::optional<int> label_right = {};  // makes it a crack: the label of the other side
 };
+
+/// The piece of a segment between two points on it, in the segment's direction.
+inline Segment piece_of(Segment segment, int a, int b) {
+  segment.a = a;
+  segment.b = b;
+  return segment;
+}
 
 /// All triangles that can be reached from the point without crossing a segment get this region.
 struct RegionSeed {
@@ -29,7 +38,8 @@ enum class Inside {
 
 /// A planar straight-line graph: what is to be meshed.
 ///
-/// Every point becomes a vertex, every segment a chain of edges of the mesh. Units: L.
+/// Every point becomes a vertex, every segment a chain of edges of the mesh; a crack two chains, one along each side,
+/// that share only its free ends (see cracks.h). Units: L.
 struct Domain {
   std::vector<Point> points;
   std::vector<Segment> segments;
@@ -54,7 +64,8 @@ struct CleanDomain {
 
 /// Makes a domain fit for triangulation: merges duplicate points, drops repeated and zero-length
 /// segments (the first keeps its label), splits segments at points that lie exactly on them and at
-/// overlaps. Keeps the order of points and segments. Notes free ends, and points that are under 1e-7
+/// overlaps. Keeps the order of points and segments. A crack of one segment, which could not open, gets a point in its
+/// middle. Notes free ends, and points that are under 1e-7
 /// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from 0; points made at crossings
 /// are numbered after them.
 ///
@@ -68,7 +79,7 @@ CleanDomain clean(const Domain& domain, Crossings crossings = Crossings::Refuse)
 /// boundary turns or its label changes; collinear edges of one label become one segment), with a
 /// seed in each hole and in each part of a region other than 0. Collinear is: to 16 ulp of the
 /// largest coordinate, since vertices on a slanted segment are rounded. Borders between regions
-/// that have no labelled edge become segments of label 0.
+/// that have no labelled edge become segments of label 0, boundary edges at one place cracks.
 ///
 /// Indices must be in range. Errors: GeometryError for triangles that overlap (see sides_of).
 /// Cost: O(n + holes x boundary edges).

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
+#include "mesher/cracks.h"
 #include "mesher/geometry/domain.h"
 #include "mesher/geometry/hole_seeds.h"
 #include "mesher/mesh_sides.h"
@@ -18,7 +21,14 @@ struct Constraint {
   int a;
   int b;
   int label;
+  std::optional<int> label_right;  // of a crack
   bool is_boundary;
+
+  /// The label to the left, and a crack's to the right, on the way away from v.
+  std::pair<int, std::optional<int>> labels_from(int v) const {
+    if (!label_right || v == a) return {label, label_right};
+    return {*label_right, label};
+  }
 };
 
 int region_of(const Mesh& mesh, int triangle) { return mesh.regions[static_cast<std::size_t>(triangle)]; }
@@ -27,13 +37,16 @@ bool separates(const Mesh& mesh, const MeshSide& side) {
   return side.edge >= 0 || side.is_boundary() || region_of(mesh, side.left) != region_of(mesh, side.right);
 }
 
-std::vector<Constraint> constraints_of(const Mesh& mesh, const std::vector<MeshSide>& sides) {
+std::vector<Constraint> constraints_of(const Mesh& mesh, const std::vector<MeshSide>& sides,
+                                       const std::vector<std::optional<int>>& right_labels) {
   std::vector<Constraint> result;
   for (const MeshSide& side : sides) {
     if (!separates(mesh, side)) continue;
     const bool goes_down = side.is_boundary() ? side.left < 0 : side.edge_goes_down;
     const int label = side.edge >= 0 ? mesh.labels[static_cast<std::size_t>(side.edge)] : 0;
-    result.push_back({goes_down ? side.high : side.low, goes_down ? side.low : side.high, label, side.is_boundary()});
+    const auto label_right = side.edge >= 0 ? right_labels[static_cast<std::size_t>(side.edge)] : std::nullopt;
+    result.push_back(
+        {goes_down ? side.high : side.low, goes_down ? side.low : side.high, label, label_right, side.is_boundary()});
   }
   return result;
 }
@@ -88,9 +101,8 @@ class ChainJoiner {
   bool passes_straight(int v) const {
     const auto [c, d] = incident_[index(v)];
     if (c < 0 || d < 0) return false;
-    if (constraint(c).label != constraint(d).label || constraint(c).is_boundary != constraint(d).is_boundary) {
-      return false;
-    }
+    if (constraint(c).is_boundary != constraint(d).is_boundary) return false;
+    if (constraint(c).labels_from(other_end(c, v)) != constraint(d).labels_from(v)) return false;
     const Point& p = point(other_end(c, v));
     const Point& q = point(other_end(d, v));
     return is_near_line(point(v), p, q) && dot(p - point(v), q - point(v)) < 0.0;
@@ -118,11 +130,11 @@ class ChainJoiner {
                     is_near_line(point(constraint(c).b), point(a), point(b));
     }
     if (is_straight) {
-      segments->push_back({a, b, constraint(chain.front()).label});
+      segments->push_back({a, b, constraint(chain.front()).label, constraint(chain.front()).label_right});
       return;
     }
     for (const int c : chain) {
-      segments->push_back({constraint(c).a, constraint(c).b, constraint(c).label});
+      segments->push_back({constraint(c).a, constraint(c).b, constraint(c).label, constraint(c).label_right});
       is_corner_[index(constraint(c).a)] = is_corner_[index(constraint(c).b)] = true;
     }
   }
@@ -195,9 +207,10 @@ void compact_points(const std::vector<Point>& points, Domain* domain) {
 
 }  // namespace
 
-Domain domain_of(const Mesh& mesh) {
+Domain domain_of(const Mesh& open) {
+  const auto [mesh, right_labels, vertices] = close_cracks(open);
   const std::vector<MeshSide> sides = sides_of(mesh);
-  const std::vector<Constraint> constraints = constraints_of(mesh, sides);
+  const std::vector<Constraint> constraints = constraints_of(mesh, sides, right_labels);
   std::vector<std::array<int, 2>> boundary;
   for (const Constraint& c : constraints) {
     if (c.is_boundary) boundary.push_back({c.a, c.b});

@@ -55,6 +55,12 @@ void refuse_crossings(const DomainRepair& repair);
 /// Notes chains that end freely. Errors: GeometryError, with an open end, when nothing is enclosed.
 DomainRepair require_enclosure(DomainRepair repair);
 
+/// Where two segments cross, rounded.
+Point crossing_of(const DomainRepair& repair, int s, int t);
+
+/// Gives a crack of one segment with two free ends a point in its middle: one edge alone could not open.
+DomainRepair halve_single_cracks(DomainRepair repair);
+
 /// Notes the two nearest points if they are under 1e-7 of the diameter or 16 ulp apart.
 DomainRepair note_close_points(DomainRepair repair);
 

@@ -39,9 +39,7 @@ std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::v
   PointIndex index(repair);
   std::vector<std::vector<int>> along(repair.domain.segments.size());
   for (const auto& [s, t] : crossings) {
-    const auto [a, b, s_label] = repair.segment(s);
-    const auto [c, d, t_label] = repair.segment(t);
-    const Point p = crossing_point(repair.point(a), repair.point(b), repair.point(c), repair.point(d));
+    const Point p = crossing_of(repair, s, t);
     notes.push_back(text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) + " at " + text(p));
     const int v = index.at(p);
     along[static_cast<std::size_t>(s)].push_back(v);
@@ -63,7 +61,7 @@ DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>
     int from = segments[s].a;
     const auto add_up_to = [&](int v) {
       if (v != from) {
-        repair.domain.segments.push_back({from, v, segments[s].label});
+        repair.domain.segments.push_back(piece_of(segments[s], from, v));
         repair.segment_sources.push_back(sources[s]);
       }
       from = v;
@@ -75,6 +73,12 @@ DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>
 }
 
 }  // namespace
+
+Point crossing_of(const DomainRepair& repair, int s, int t) {
+  const Segment& first = repair.segment(s);
+  const Segment& second = repair.segment(t);
+  return crossing_point(repair.point(first.a), repair.point(first.b), repair.point(second.a), repair.point(second.b));
+}
 
 DomainRepair split_at_crossings(DomainRepair repair) {
   constexpr int max_rounds = 1000;  // a search ends after 1000 crossings

@@ -85,10 +85,10 @@ FreeEnds free_ends(const Domain& domain) {
   for (int v : found.points) {
     for (; degree[static_cast<std::size_t>(v)] == 1; --num_left) {
       const int s = incident[static_cast<std::size_t>(v)];
-      const auto& [a, b, label] = domain.segments[static_cast<std::size_t>(s)];
-      toggle(a, s, -1);
-      toggle(b, s, -1);
-      v = a == v ? b : a;
+      const Segment& segment = domain.segments[static_cast<std::size_t>(s)];
+      toggle(segment.a, s, -1);
+      toggle(segment.b, s, -1);
+      v = segment.a == v ? segment.b : segment.a;
     }
   }
   found.something_enclosed = num_left > 0;
@@ -141,7 +141,7 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
     }
     const std::vector<int> chain = chain_along(repair, segments[s], std::move(inner));
     for (std::size_t k = 1; k < chain.size(); ++k) {
-      repair.domain.segments.push_back({chain[k - 1], chain[k], segments[s].label});
+      repair.domain.segments.push_back(piece_of(segments[s], chain[k - 1], chain[k]));
       repair.segment_sources.push_back(sources[s]);
     }
   }
@@ -149,15 +149,32 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
   return drop_repeated_segments(std::move(repair));
 }
 
+DomainRepair halve_single_cracks(DomainRepair repair) {
+  std::vector<int> degree(repair.domain.points.size(), 0);
+  for (const Segment& s : repair.domain.segments)
+    for (const int v : {s.a, s.b}) ++degree[static_cast<std::size_t>(v)];
+  const std::size_t num_segments = repair.domain.segments.size();
+  for (std::size_t i = 0; i < num_segments; ++i) {
+    const Segment whole = repair.domain.segments[i];
+    const bool ends_freely =
+        degree[static_cast<std::size_t>(whole.a)] == 1 && degree[static_cast<std::size_t>(whole.b)] == 1;
+    if (!whole.label_right || !ends_freely) continue;
+    const int middle = static_cast<int>(repair.domain.points.size());
+    repair.domain.points.push_back(midpoint(repair.point(whole.a), repair.point(whole.b)));
+    repair.point_sources.push_back(1 + *std::max_element(repair.point_sources.begin(), repair.point_sources.end()));
+    repair.domain.segments[i] = piece_of(whole, whole.a, middle);
+    repair.domain.segments.push_back(piece_of(whole, middle, whole.b));
+    repair.segment_sources.push_back(repair.segment_sources[i]);
+  }
+  return repair;
+}
+
 void refuse_crossings(const DomainRepair& repair) {
   const std::vector<std::array<int, 2>> crossings = segment_crossings(repair.domain.points, repair.domain.segments);
   if (crossings.empty()) return;
   const auto [s, t] = crossings.front();
-  const auto [a, b, s_label] = repair.segment(s);
-  const auto [c, d, t_label] = repair.segment(t);
   throw GeometryError("segments " + text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) +
-                          " cross at " +
-                          text(crossing_point(repair.point(a), repair.point(b), repair.point(c), repair.point(d))) +
+                          " cross at " + text(crossing_of(repair, s, t)) +
                           "; split both there (mesh --repair does) or move one",
                       {repair.source_segment(s), repair.source_segment(t)});
 }

@@ -171,13 +171,13 @@ class ContactSearch {
   }
 
   bool cross(int s, int t) const {
-    const auto& [s_a, s_b, s_label] = segment(s);
-    const auto& [t_a, t_b, t_label] = segment(t);
-    if (s_a == t_a || s_a == t_b || s_b == t_a || s_b == t_b) return false;
-    const Point& a = point(s_a);
-    const Point& b = point(s_b);
-    const Point& c = point(t_a);
-    const Point& d = point(t_b);
+    const Segment& first = segment(s);
+    const Segment& second = segment(t);
+    if (first.a == second.a || first.a == second.b || first.b == second.a || first.b == second.b) return false;
+    const Point& a = point(first.a);
+    const Point& b = point(first.b);
+    const Point& c = point(second.a);
+    const Point& d = point(second.b);
     return overlap(box_of(a, b), box_of(c, d)) && separates(a, b, c, d) && separates(c, d, a, b);
   }
 

@@ -95,6 +95,8 @@ void write_poly(const std::string& path, const Domain& domain) {
   if (domain.inside == Inside::EvenOdd) {
     throw FileError(path, 0, "a .poly file cannot express a domain by the even-odd rule: it needs seeds of holes");
   }
+  for (const Segment& s : domain.segments)
+    if (s.label_right) throw FileError(path, 0, "a .poly file cannot express cracks, which have a label on each side");
   OutputFile out(path);
   out << domain.points.size() << " 2 0 0\n";
   int row = 0;

@@ -1,13 +1,15 @@
 #include "mesher/metric/background_mesh.h"
 
+#include <optional>
 #include <vector>
 
+#include "mesher/cracks.h"
 #include "mesher/parallel.h"
 
 namespace parmesan {
 namespace {
 
-std::vector<SymmetricTensor> interpolated_tensors(std::span<const Metric> metrics, MetricInterpolation interpolation) {
+std::vector<SymmetricTensor> tensors_of(std::span<const Metric> metrics, MetricInterpolation interpolation) {
   const bool logarithms = interpolation == MetricInterpolation::LogEuclidean;
   std::vector<SymmetricTensor> tensors(metrics.size());
   const Ranges ranges(metrics.size());
@@ -18,10 +20,32 @@ std::vector<SymmetricTensor> interpolated_tensors(std::span<const Metric> metric
   return tensors;
 }
 
+// The particles of a crack are those of both its sides, and serve both metrics.
+std::vector<Metric> intersected_on_cracks(const Mesh& mesh, std::span<const Metric> metrics) {
+  const ClosedMesh closed = close_cracks(mesh);
+  std::vector<std::optional<Metric>> at_place(closed.mesh.points.size());
+  const auto place_of = [&](std::size_t v) -> std::optional<Metric>& {
+    return at_place[static_cast<std::size_t>(closed.vertices[v])];
+  };
+  for (std::size_t v = 0; v < metrics.size(); ++v)
+    place_of(v) = place_of(v) ? intersect(*place_of(v), metrics[v]) : metrics[v];
+  std::vector<Metric> result;
+  result.reserve(metrics.size());
+  for (std::size_t v = 0; v < metrics.size(); ++v) result.push_back(*place_of(v));
+  return result;
+}
+
+std::vector<SymmetricTensor> interpolated_tensors(const Mesh& mesh, std::span<const Metric> metrics,
+                                                  MetricInterpolation interpolation) {
+  const bool is_plain = metrics.size() != mesh.points.size() || !has_cracks(mesh);
+  if (is_plain) return tensors_of(metrics, interpolation);
+  return tensors_of(intersected_on_cracks(mesh, metrics), interpolation);
+}
+
 }  // namespace
 
 BackgroundMesh::BackgroundMesh(const Mesh& mesh, std::span<const Metric> metrics, MetricInterpolation interpolation)
-    : tensors_(mesh, interpolated_tensors(metrics, interpolation)), interpolation_(interpolation) {}
+    : tensors_(mesh, interpolated_tensors(mesh, metrics, interpolation)), interpolation_(interpolation) {}
 
 Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const {
   const SymmetricTensor t = tensors_.at(p, hint);

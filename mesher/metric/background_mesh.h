@@ -14,7 +14,8 @@ enum class MetricInterpolation {
   Linear         // thesis 5.17
 };
 
-/// A mesh that carries a metric per vertex; look-ups are those of TensorInterpolant.
+/// A mesh that carries a metric per vertex; look-ups are those of TensorInterpolant. Vertices of edges that lie at one
+/// place, the sides of a crack, take the intersection of their metrics.
 class BackgroundMesh final : public MetricField {
  public:
   /// metrics: one per vertex of the mesh. Errors: InputError when the counts differ.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "mesher/cracks.h"
 #include "mesher/errors.h"
 #include "mesher/triangulation/neighbors.h"
 #include "mesher/triangulation/ordering.h"
@@ -30,7 +31,7 @@ TensorInterpolant::TensorInterpolant(const Mesh& mesh, std::span<const Symmetric
 void TensorInterpolant::build(const Mesh& mesh, std::span<const SymmetricTensor> tensors) {
   vertices_.reserve(tensors.size());
   for (std::size_t i = 0; i < tensors.size(); ++i) vertices_.push_back({mesh.points[i], tensors[i]});
-  const auto neighbors = triangle_neighbors(mesh);
+  const auto neighbors = has_cracks(mesh) ? triangle_neighbors(close_cracks(mesh).mesh) : triangle_neighbors(mesh);
   triangles_.reserve(neighbors.size());
   for (std::size_t t = 0; t < neighbors.size(); ++t) triangles_.push_back({mesh.triangles[t], neighbors[t]});
 }

@@ -13,8 +13,8 @@ namespace parmesan {
 /// hint (thesis 5.4).
 ///
 /// Outside of the mesh the nearest triangle found decides, with its barycentric coordinates
-/// clamped. Brings a mesh whose numbering is not local into the order of memory first, so hints are
-/// its own. Cost of a look-up: O(triangles crossed), O(1) with a good hint.
+/// clamped. Walks pass cracks; on one, any of its sides may answer. Brings a mesh whose numbering is not local into the
+/// order of memory first, so hints are its own. Cost of a look-up: O(triangles crossed), O(1) with a good hint.
 class TensorInterpolant final : public TensorField {
  public:
   /// tensors: one per vertex of the mesh. Errors: InputError when the counts differ.

@@ -39,26 +39,37 @@ struct Ruler {
   }
 };
 
-/// The pieces of the ruler that labelled edges cover, sorted.
-std::vector<std::pair<double, double>> covered(const Mesh& mesh, const Ruler& ruler, int label, double tolerance) {
+/// The pieces of the ruler that edges of a label cover, sorted; with a direction (1: along the ruler, -1: against it)
+/// only the edges that lead that way.
+std::vector<std::pair<double, double>> covered(const Mesh& mesh, const Ruler& ruler, int label, int direction,
+                                               double tolerance) {
   std::vector<std::pair<double, double>> pieces;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const Point& p = point(mesh, mesh.edges[e][0]);
     const Point& q = point(mesh, mesh.edges[e][1]);
     if (mesh.labels[e] != label || !ruler.holds(p, tolerance) || !ruler.holds(q, tolerance)) continue;
+    const double step = ruler.along(q) - ruler.along(p);
+    if (direction != 0 && (direction > 0) != (step > 0.0)) continue;
     pieces.push_back(std::minmax(ruler.along(p), ruler.along(q)));
   }
   std::sort(pieces.begin(), pieces.end());
   return pieces;
 }
 
-bool is_covered(const Mesh& mesh, const Ruler& ruler, int label, double tolerance) {
+bool is_covered(const Mesh& mesh, const Ruler& ruler, int label, int direction, double tolerance) {
   double reached = 0.0;
-  for (const auto& [from, to] : covered(mesh, ruler, label, tolerance)) {
+  for (const auto& [from, to] : covered(mesh, ruler, label, direction, tolerance)) {
     if (std::abs(from - reached) > 2.0 * tolerance) return false;
     reached = to;
   }
   return std::abs(reached - ruler.length()) <= 2.0 * tolerance;
+}
+
+/// A crack is covered along both sides, each by edges with the domain to their left.
+bool is_covered(const Mesh& mesh, const Ruler& ruler, const Segment& segment, double tolerance) {
+  if (!segment.label_right) return is_covered(mesh, ruler, segment.label, 0, tolerance);
+  return is_covered(mesh, ruler, segment.label, 1, tolerance) &&
+         is_covered(mesh, ruler, *segment.label_right, -1, tolerance);
 }
 
 }  // namespace
@@ -75,10 +86,11 @@ std::vector<std::string> problems_of_cover(const Mesh& mesh, const Domain& domai
   }
   std::vector<Ruler> rulers;
   for (std::size_t s = 0; s < domain.segments.size(); ++s) {
-    const auto& [a, b, label] = domain.segments[s];
-    const Ruler ruler{domain.points[static_cast<std::size_t>(a)], domain.points[static_cast<std::size_t>(b)]};
+    const Segment& segment = domain.segments[s];
+    const Ruler ruler{domain.points[static_cast<std::size_t>(segment.a)],
+                      domain.points[static_cast<std::size_t>(segment.b)]};
     rulers.push_back(ruler);
-    if (!is_covered(mesh, ruler, label, tolerance) && lies_in(mesh, midpoint(ruler.start, ruler.end))) {
+    if (!is_covered(mesh, ruler, segment, tolerance) && lies_in(mesh, midpoint(ruler.start, ruler.end))) {
       problems.push_back("segment " + std::to_string(s) + " is not covered by edges of its label");
     }
   }

@@ -1,0 +1,45 @@
+#include "mesher/user_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Does the edge of a mesh lead against the direction of its segment?
+bool is_against(const Mesh& mesh, const std::array<int, 2>& edge, const Domain& domain, const Segment& segment) {
+  const Vector along = domain.points[at(segment.b)] - domain.points[at(segment.a)];
+  return dot(mesh.points[at(edge[1])] - mesh.points[at(edge[0])], along) < 0.0;
+}
+
+bool has_cracks(const Domain& domain) {
+  return std::ranges::any_of(domain.segments, [](const Segment& s) { return s.label_right.has_value(); });
+}
+
+}  // namespace
+
+OpenedMesh with_user_labels(Mesh mesh, const Domain& domain) {
+  std::vector<std::optional<int>> right_labels(mesh.edges.size());
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const Segment& segment = domain.segments[at(mesh.labels[e])];
+    mesh.labels[e] = segment.label;
+    right_labels[e] = segment.label_right;
+    if (segment.label_right && is_against(mesh, mesh.edges[e], domain, segment))
+      std::swap(mesh.labels[e], *right_labels[e]);
+  }
+  mesh.label_names = domain.label_names;
+  mesh.region_names = domain.region_names;
+  if (has_cracks(domain)) return open_cracks(mesh, right_labels);
+  OpenedMesh whole{.mesh = std::move(mesh), .sources = {}};
+  whole.sources.resize(whole.mesh.points.size());
+  std::iota(whole.sources.begin(), whole.sources.end(), 0);
+  return whole;
+}
+
+}  // namespace parmesan
