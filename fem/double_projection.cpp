@@ -1,10 +1,14 @@
 #include "fem/double_projection.h"
 
+#include "fem/boundary_extension.h"
 #include "fem/p1.h"
 
 namespace parmesan {
 
-std::vector<Vector> projected_gradients(const Mesh& mesh, std::span<const double> values) {
+namespace {
+
+/// Area-weighted means of the gradient over the triangles around each vertex.
+std::vector<Vector> mean_gradients(const Mesh& mesh, std::span<const double> values) {
   std::vector<Vector> sums(mesh.points.size());
   std::vector<double> areas(mesh.points.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -24,17 +28,33 @@ std::vector<Vector> projected_gradients(const Mesh& mesh, std::span<const double
   return sums;
 }
 
-std::vector<Hessian> doubly_projected_hessians(const Mesh& mesh, std::span<const double> values) {
-  const std::vector<Vector> gradients = projected_gradients(mesh, values);
-  std::vector<double> dx(gradients.size());
-  std::vector<double> dy(gradients.size());
-  for (std::size_t v = 0; v < gradients.size(); ++v) {
-    dx[v] = gradients[v].x;
-    dy[v] = gradients[v].y;
+/// Both components of a field of vectors.
+std::array<std::vector<double>, 2> components(const std::vector<Vector>& field) {
+  std::array<std::vector<double>, 2> result;
+  for (const Vector& v : field) {
+    result[0].push_back(v.x);
+    result[1].push_back(v.y);
   }
-  const std::vector<Vector> of_dx = projected_gradients(mesh, dx);
-  const std::vector<Vector> of_dy = projected_gradients(mesh, dy);
-  std::vector<Hessian> hessians(gradients.size());
+  return result;
+}
+
+}  // namespace
+
+std::vector<Vector> projected_gradients(const Mesh& mesh, std::span<const double> values) {
+  std::vector<Vector> gradients = mean_gradients(mesh, values);
+  auto [dx, dy] = components(gradients);
+  VertexPatch patch(mesh);
+  dx = extended_to_boundary(patch, dx);
+  dy = extended_to_boundary(patch, dy);
+  for (std::size_t v = 0; v < gradients.size(); ++v) gradients[v] = {dx[v], dy[v]};
+  return gradients;
+}
+
+std::vector<Hessian> doubly_projected_hessians(const Mesh& mesh, std::span<const double> values) {
+  const auto [dx, dy] = components(projected_gradients(mesh, values));
+  const std::vector<Vector> of_dx = mean_gradients(mesh, dx);
+  const std::vector<Vector> of_dy = mean_gradients(mesh, dy);
+  std::vector<Hessian> hessians(dx.size());
   for (std::size_t v = 0; v < hessians.size(); ++v) {
     hessians[v] = {of_dx[v].x, 0.5 * (of_dx[v].y + of_dy[v].x), of_dy[v].y};
   }

@@ -8,11 +8,11 @@
 namespace parmesan {
 
 /// Lumped L2 projection of the gradient of a P1 function: the mean over the triangles around each
-/// vertex, weighted by area. Cost: O(n).
+/// inner vertex, weighted by area; at the boundary extended from them (boundary_extension.h). Cost: O(n).
 std::vector<Vector> projected_gradients(const Mesh& mesh, std::span<const double> values);
 
-/// The projection applied to both components of the projected gradient, made symmetric. One order
-/// less accurate at the boundary. Cost: O(n).
+/// The projection applied to both components of the projected gradient, made symmetric. At the boundary it is
+/// of one side only. Cost: O(n).
 std::vector<Hessian> doubly_projected_hessians(const Mesh& mesh, std::span<const double> values);
 
 }  // namespace parmesan

@@ -64,21 +64,24 @@ EstimatedError estimate_error(const Mesh& mesh, std::span<const double> values) 
     throw InputError("the function has " + std::to_string(values.size()) + " values; the mesh has " +
                      std::to_string(mesh.points.size()) + " vertices");
   }
+  const std::vector<Vector> gradients = recover_gradients(mesh, values);
   const std::vector<PatchFit> fits = fit_patches(mesh, values);
   EstimatedError squares;  // but for linf
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const P1Element element = p1_element(mesh, static_cast<int>(t));
     std::array<double, 3> local{};
-    std::array<const PatchFit*, 3> fit{};
+    std::array<Vector, 3> recovered{};
+    std::array<Hessian, 3> hessian{};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto v = static_cast<std::size_t>(mesh.triangles[t][i]);
       local[i] = values[v];
-      fit[i] = &fits[v];
+      recovered[i] = gradients[v];
+      hessian[i] = fits[v].hessian;
     }
     const Vector gradient = p1_gradient(element, local);
-    squares.h1 += integral_of_square(
-        element.area, {fit[0]->gradient - gradient, fit[1]->gradient - gradient, fit[2]->gradient - gradient});
-    const auto d = edge_curvatures(element, mean(fit[0]->hessian, fit[1]->hessian, fit[2]->hessian));
+    squares.h1 +=
+        integral_of_square(element.area, {recovered[0] - gradient, recovered[1] - gradient, recovered[2] - gradient});
+    const auto d = edge_curvatures(element, mean(hessian[0], hessian[1], hessian[2]));
     squares.l2 += squared_interpolation_error(element.area, d);
     squares.linf = std::max(squares.linf, largest_interpolation_error(d));
   }

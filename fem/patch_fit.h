@@ -3,22 +3,15 @@
 #include <span>
 #include <vector>
 
-#include "fem/recovery.h"
+#include "fem/vertex_patch.h"
 
 namespace parmesan {
-
-/// Derivatives at a vertex of the quadratic polynomial fitted to the nodal values around it.
-struct PatchFit {
-  Vector gradient;
-  Hessian hessian;
-};
 
 /// Fits a quadratic polynomial at each vertex to the values on a patch of vertices by weighted least
 /// squares (polynomial preserving recovery, Zhang & Naga, SIAM J. Sci. Comput. 26 (2005) 1192).
 ///
 /// The patch is the first ring, and up to three more until it has 9 points and determines the
-/// polynomial. Coordinates are scaled by the covariance of the patch, so that stretched patches are
-/// as well conditioned as round ones. Exact on quadratics, at the boundary too. Where four
+/// polynomial. Exact on quadratics, at the boundary too. Where four
 /// rings do not determine a quadratic, the smallest one that fits best is taken.
 /// Cost: O(n).
 std::vector<PatchFit> fit_patches(const Mesh& mesh, std::span<const double> values);

@@ -16,16 +16,20 @@ struct Hessian {
 
 /// How second derivatives are recovered from a P1 function.
 enum class Recovery {
-  LeastSquares,     // quadratic fit on a patch of vertices, weighted
-  DoubleProjection  // lumped L2 projection of the gradient, twice
+  LeastSquares,      // quadratic fit on a patch of vertices (patch_fit.h)
+  DoubleProjection,  // lumped L2 projection of the gradient, twice (double_projection.h)
+  ZienkiewiczZhu,  // gradient by superconvergent patch recovery (superconvergent_fit.h), then that of its quadratic fit
+  PolynomialPreserving  // gradient of the quadratic fit, twice
 };
 
-/// Gradient at each vertex, recovered from the P1 function with these nodal values.
+/// Gradient at each vertex, by superconvergent patch recovery from the P1 function with these nodal values.
 std::vector<Vector> recover_gradients(const Mesh& mesh, std::span<const double> values);
 
-/// Hessian at each vertex. Exact on quadratics for LeastSquares, at the boundary too.
+/// Hessian at each vertex; at the boundary extended from the inner ones (boundary_extension.h). Exact on quadratics at
+/// the boundary too; for DoubleProjection on regular meshes only. PolynomialPreserving: Guo, Zhang & Zhao, Math. Comp.
+/// 86 (2017) 1671. Errors: InputError unless there is a value per vertex. Cost: O(n).
 std::vector<Hessian> recover_hessians(const Mesh& mesh, std::span<const double> values,
-                                      Recovery recovery = Recovery::LeastSquares);
+                                      Recovery recovery = Recovery::ZienkiewiczZhu);
 
 /// What the recovered gradient says about the error (Zienkiewicz & Zhu): the H1 seminorm of the
 /// difference to the P1 gradient, and the L2 norm and the maximum of the interpolation error of a
