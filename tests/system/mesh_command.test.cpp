@@ -83,6 +83,28 @@ TEST_CASE("mesh follows a background metric, and can start from an earlier mesh"
   CHECK(quality_of({folder / "b.mesh"}).at("vertices").get<int>() == Approx(577 + 60).epsilon(0.12));
 }
 
+TEST_CASE("mesh follows a user's own error indicators", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("square.poly", square_poly);
+  const std::string mesh = folder.write("bg.mesh", background);
+  const auto write = [&folder](const std::string& rows) {
+    return folder.write("eta.sol", "MeshVersionFormatted 2\nDimension 2\n" + rows + "End\n");
+  };
+  const auto code = [&](const std::string& indicator, const std::vector<std::string>& more) {
+    std::vector<std::string> all{"mesh", input, "--background", mesh, "--indicator", indicator};
+    all.insert(all.end(), more.begin(), more.end());
+    all.insert(all.end(), {"-o", folder / "out.mesh"});
+    return run_program(all).exit_code;
+  };
+  REQUIRE(code(write("SolAtTriangles 2\n1 1\n1\n4\n"), {"--vertices", "500"}) == 0);
+  CHECK(quality_of({folder / "out.mesh"}).at("vertices").get<int>() == Approx(500).epsilon(0.15));
+  CHECK(code(write("SolAtVertices 4\n1 1\n1\n4\n1\n1\n"), {"--vertices", "300", "--order", "1"}) == 0);
+  CHECK(code(write("SolAtTriangles 2\n1 1\n1\n4\n"), {}) == 2);
+  CHECK(code(write("SolAtTriangles 2\n1 1\n0\n0\n"), {"--vertices", "500"}) == 7);
+  CHECK(code(write("SolAtTriangles 3\n1 1\n1\n1\n1\n"), {"--vertices", "500"}) == 7);
+  CHECK(run_program({"mesh", input, "--background", mesh, "-o", folder / "out.mesh"}).exit_code == 2);
+}
+
 TEST_CASE("mesh lowers the error of a function whose Hessian is given", "[system][mesh]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("square.poly", square_poly);

@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 
+#include "adapt/hessian_metric.h"
+#include "adapt/indicator_metric.h"
 #include "adapt/io/any_mesh.h"
 #include "adapt/io/png.h"
 #include "mesher/errors.h"
@@ -38,7 +40,9 @@ struct Requirements {
 struct MeshArguments {
   std::string geometry;
   std::optional<double> size, align;
-  std::string background, metric, from, hessian;
+  std::string background, metric, indicator, from, hessian;
+  std::int64_t vertices = 0;  // that indicators are to be turned into
+  double order = 2.0;         // of the error that indicators tell of
   MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
   std::vector<std::string> outputs, voronoi;
   std::string evolution;
@@ -70,9 +74,31 @@ struct Inputs {
   const MetricField& metric() const { return aligned ? *aligned : *field; }
 };
 
+/// The scalars of a file at the triangles or at the vertices.
+std::vector<double> read_indicators(const std::string& path) {
+  const MeshFields fields = read_medit_fields(path);
+  const std::vector<MeshField>& found = fields.cells.empty() ? fields.points : fields.cells;
+  if (found.size() != 1 || found.front().components != 1)
+    throw FileError(path, 0, "must have one scalar per triangle or per vertex, and no other field");
+  return found.front().values;
+}
+
+std::vector<Metric> read_metrics(const Mesh& background, const MeshArguments& arguments) {
+  if (arguments.indicator.empty()) return read_metric_file(arguments.metric, background.num_vertices());
+  const IndicatorRequest request{.order = arguments.order,
+                                 .complexity = complexity_for_vertices(static_cast<double>(arguments.vertices))};
+  try {
+    return metric_from_indicators(background, read_indicators(arguments.indicator), request);
+  } catch (const FileError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw FileError(arguments.indicator, 0, error.what());
+  }
+}
+
 void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs& inputs) {
   const int n = background.num_vertices();
-  const std::vector<Metric> metrics = read_metric_file(arguments.metric, n);
+  const std::vector<Metric> metrics = read_metrics(background, arguments);
   inputs.field = std::make_unique<BackgroundMesh>(
       background.triangles.empty() ? background_of_samples(background.points, metrics, arguments.interpolation)
                                    : BackgroundMesh(background, metrics, arguments.interpolation));
@@ -145,6 +171,10 @@ ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
   for (const std::string& output : arguments.outputs) check_any_mesh_name(output);
   for (const std::string& output : arguments.voronoi) check_any_mesh_name(output);
+  if (!arguments.background.empty() && arguments.metric.empty() && arguments.indicator.empty()) {
+    print_error("--background requires --metric or --indicator");
+    return ExitCode::Usage;
+  }
   const Domain domain = read_domain(arguments.geometry, arguments.repair);
   const Inputs inputs = read_inputs(arguments, domain);
   std::optional<EvolutionWriter> evolution;
@@ -177,8 +207,23 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
           ->option_text("MESH");
   CLI::Option* metric =
       app.add_option("--metric", arguments.metric, "Medit metric at the background's vertices")->option_text("SOL");
-  background->needs(metric)->excludes(size);
+  background->excludes(size);
   metric->needs(background);
+  CLI::Option* indicator =
+      app.add_option("--indicator", arguments.indicator,
+                     "In place of a metric: Medit scalars at the background's triangles or vertices, the share of each "
+                     "in the norm of an error; sizes follow that make the error smallest")
+          ->needs(background)
+          ->excludes(metric)
+          ->option_text("SOL");
+  indicator->needs(app.add_option("--vertices", arguments.vertices, "About how many vertices indicators are to give")
+                       ->needs(indicator)
+                       ->check(CLI::Range(std::int64_t{3}, std::int64_t{1'000'000'000}))
+                       ->option_text("N"));
+  app.add_option("--order", arguments.order, "Of the error that indicators tell of: 2 for L2, 1 for H1 [2]")
+      ->needs(indicator)
+      ->check(CLI::Range(0.1, 10.0))
+      ->option_text("Q");
   const std::map<std::string, MetricInterpolation> interpolations{{"log-euclidean", MetricInterpolation::LogEuclidean},
                                                                   {"linear", MetricInterpolation::Linear}};
   app.add_option("--interpolation", arguments.interpolation,
