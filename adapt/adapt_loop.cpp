@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapt/number_text.h"
 #include "adapt/stopwatch.h"
 #include "mesher/errors.h"
 
@@ -37,17 +38,28 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
-// "h_max at 12 vertices, gradation at 300 vertices"
-std::string limits_text(const ClippedSizes& clipped) {
-  std::string text;
-  const auto add = [&text](const char* name, std::int64_t count) {
-    if (count > 0)
-      text += (text.empty() ? "" : ", ") + std::string(name) + " at " + std::to_string(count) + " vertices";
+// "h_max at 12 vertices in [0, 1] x [0.5, 1]"
+std::string limit_text(const char* name, const Clipped& clipped) {
+  const auto range = [](double low, double high) {
+    return "[" + short_number(low, 4) + ", " + short_number(high, 4) + "]";
   };
-  add("h_min", clipped.h_min);
-  add("h_max", clipped.h_max);
-  add("max_aspect", clipped.aspect);
-  add("gradation", clipped.gradation);
+  return std::string(name) + " at " + std::to_string(clipped.count) + " vertices in " +
+         range(clipped.low.x, clipped.high.x) + " x " + range(clipped.low.y, clipped.high.y);
+}
+
+// The limits that can have made a mesh too small, or too large.
+std::string limits_text(const ClippedSizes& clipped, bool too_small) {
+  std::string text;
+  const auto add = [&text](const char* name, const Clipped& limit) {
+    if (limit.count > 0) text += (text.empty() ? "" : ", ") + limit_text(name, limit);
+  };
+  if (too_small) {
+    add("h_min", clipped.h_min);
+  } else {
+    add("h_max", clipped.h_max);
+    add("max_aspect", clipped.aspect);
+    add("gradation", clipped.gradation);
+  }
   return text;
 }
 
@@ -136,15 +148,15 @@ class Loop {
     return decision;
   }
 
-  // Where the size aimed at was not hit: by how much, and which limits changed sizes.
+  // Where the size aimed at was not hit: by how much, and which limits keep it away, and where.
   void warn_of_size() {
     const IterationRow& last = state_.summary.iterations.back();
     const auto got = static_cast<double>(last.vertices);
     if (!goal_.vertices || std::abs(got - *goal_.vertices) <= size_tolerance * *goal_.vertices) return;
     std::string sentence = "the mesh has " + std::to_string(last.vertices) + " vertices, not the " +
                            std::to_string(*case_.targets.vertices) + " aimed at";
-    const std::string limits = limits_text(last.clipped);
-    if (!limits.empty()) sentence += "; limits changed its sizes: " + limits;
+    const std::string limits = limits_text(last.clipped, got < *goal_.vertices);
+    if (!limits.empty()) sentence += "; limits forbid it: " + limits;
     state_.summary.warnings.push_back(sentence);
   }
 
@@ -178,12 +190,12 @@ class Loop {
     request.isotropic = options_.isotropic;
     request.complexity = complexity_for_vertices(asked) * calibration();
     const SecondDerivatives derivatives = second_derivatives(case_, state_.last);
-    const HessianMetric metric = metric_from_hessians(state_.last.mesh, derivatives.absolute, request);
+    const HessianMetric metric = metric_from_hessians(*derivatives.mesh, derivatives.absolute, request);
     StageSeconds& seconds = state_.summary.iterations.back().seconds;
     seconds.recover = recover.seconds();
     seconds.cpu += recover.cpu_seconds();
     if (interrupted()) return false;
-    Iterate next = remesh(case_, state_.last, metric, derivatives.signed_field.get());
+    Iterate next = remesh(case_, state_.last, *derivatives.mesh, metric, derivatives.signed_field.get());
     if (interrupted()) return false;
     compute_values(case_, next, &state_.last);
     if (interrupted()) return false;

@@ -54,10 +54,6 @@ void refuse_unsupported(CaseReading& reading) {
   };
   if (has("geometry", "curves")) refuse("geometry", "curves", "curves are not supported yet; give a polygon");
   if (has("targets", "goal_error")) refuse("targets", "goal_error", "goal targets are not supported yet");
-  if (has("problem", "interpolate") && root["problem"]["interpolate"].is_object()) {
-    reading.issues.add("/problem/interpolate", "data from files are not supported yet; give an expression");
-    root["problem"]["interpolate"] = 0;
-  }
 }
 
 void read_parameter(CaseReading& reading, const std::string& name, Json& value) {

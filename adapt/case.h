@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "adapt/expression.h"
+#include "adapt/given_field.h"
 #include "fem/problem.h"
 #include "fem/recovery.h"
 #include "mesher/generate.h"
@@ -20,13 +22,14 @@ enum class MetricKind { LoseilleAlauzet, SignAware };
 struct MetricOptions {
   MetricKind kind = MetricKind::SignAware;
   double norm = 2.0;  // p of the Lp norm, infinity allowed
-  Recovery recovery = Recovery::LeastSquares;
-  bool exact_hessian = false;  // "recovery": "exact", from the exact expression
+  Recovery recovery = Recovery::ZienkiewiczZhu;
+  bool exact_hessian = false;                    // "recovery": "exact", from the exact expression
   MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
-  double h_min = 0.0;       // smallest size, L; 0: none
-  double h_max = 0.0;       // largest size, L; 0: a quarter of the domain's diameter
-  double max_aspect = 1e6;  // largest ratio of the two sizes
-  double gradation = 0.0;   // growth of size per unit metric length; 0: none
+  double h_min = 0.0;                            // smallest size, L; 0: none
+  double h_max = 0.0;                            // largest size, L; 0: a quarter of the domain's diameter
+  double max_aspect = 1e6;                       // largest ratio of the two sizes
+  double gradation = 0.0;                        // growth of size per unit metric length; 0: none
+  std::optional<Expression> h_min_at, h_max_at;  // in place of the constants where sizes vary
 };
 
 /// What the loop tries to reach and when it gives up. Absent ones are not looked at.
@@ -65,9 +68,10 @@ struct Case {
   std::string title;
   nlohmann::ordered_json resolved;  // as run, every default filled in
   Domain domain;
-  bool interpolation = false;       // "interpolate": adapt to a given function, no PDE
-  std::optional<Expression> exact;  // exact solution, or the function to interpolate
-  Problem problem;                  // empty when interpolation
+  bool interpolation = false;               // "interpolate": adapt to a given function, no PDE
+  std::optional<Expression> exact;          // exact solution, or the function to interpolate
+  std::shared_ptr<const GivenField> given;  // in place of exact: the function to interpolate, from a file
+  Problem problem;                          // empty when interpolation
   std::vector<CaseFunctional> functionals;
   MetricOptions metric;
   Targets targets;

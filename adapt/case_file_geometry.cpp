@@ -24,13 +24,13 @@ std::string refusal(const fs::path& path, const fs::path& folder) {
   const fs::path real = fs::canonical(path, error);
   const fs::path real_folder = fs::canonical(folder, error);
   if (error || !is_below(real, real_folder)) return "a link leads out of the case's folder";
-  if (fs::file_size(real, error) > kMaxGeometryBytes || error) return "the file is larger than 1 GiB";
+  if (fs::file_size(real, error) > kMaxNamedBytes || error) return "the file is larger than 1 GiB";
   return {};
 }
 
 }  // namespace
 
-std::optional<Domain> read_named_geometry(CaseReading& reading, const std::string& name, const std::string& pointer) {
+std::optional<std::string> named_file(CaseReading& reading, const std::string& name, const std::string& pointer) {
   const fs::path written(name);
   const bool climbs = std::find(written.begin(), written.end(), "..") != written.end();
   if (name.find('\0') != std::string::npos || written.is_absolute() || climbs) {
@@ -44,7 +44,13 @@ std::optional<Domain> read_named_geometry(CaseReading& reading, const std::strin
     reading.issues.add(pointer, "cannot read '" + name.substr(0, 200) + "': " + problem);
     return std::nullopt;
   }
-  return read_any_geometry((folder / written).string());
+  return (folder / written).string();
+}
+
+std::optional<Domain> read_named_geometry(CaseReading& reading, const std::string& name, const std::string& pointer) {
+  const std::optional<std::string> path = named_file(reading, name, pointer);
+  if (!path) return std::nullopt;
+  return read_any_geometry(*path);
 }
 
 }  // namespace parmesan

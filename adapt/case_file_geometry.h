@@ -8,13 +8,17 @@
 
 namespace parmesan {
 
-/// The largest geometry file a case may name.
-inline constexpr std::uintmax_t kMaxGeometryBytes = std::uintmax_t{1} << 30;
+/// The largest file a case may name.
+inline constexpr std::uintmax_t kMaxNamedBytes = std::uintmax_t{1} << 30;
+
+/// The path of a file that a case names at pointer.
+///
+/// Only regular files beside or below the case file may be read; links must not lead elsewhere.
+/// Nothing, and an issue, for any other.
+std::optional<std::string> named_file(CaseReading& reading, const std::string& name, const std::string& pointer);
 
 /// Reads the geometry file that a case names at pointer.
-///
-/// Only regular files beside or below the case file are read; links must not lead elsewhere.
-/// Nothing, and an issue, for any other. Errors: FileError, GeometryError for what is in it.
+/// Nothing, and an issue, as named_file. Errors: FileError, GeometryError for what is in it.
 std::optional<Domain> read_named_geometry(CaseReading& reading, const std::string& name, const std::string& pointer);
 
 }  // namespace parmesan

@@ -1,6 +1,10 @@
+#include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "adapt/case_reading.h"
+#include "adapt/decimal.h"
 
 namespace parmesan {
 namespace {
@@ -17,18 +21,53 @@ std::optional<std::int64_t> optional_count(const Json& section, const char* key)
   return static_cast<std::int64_t>(section[key].get<double>());
 }
 
-void read_metric(CaseReading& reading, const Json& section, Case& result) {
+template <class Names>
+auto named(const Json& section, const char* key, const Names& names) {
+  return named_value(names, section[key].get<std::string>());
+}
+
+constexpr std::array<OptionName<Recovery>, 4> recovery_names{
+    {{"least-squares", Recovery::LeastSquares},
+     {"double-projection", Recovery::DoubleProjection},
+     {"zienkiewicz-zhu", Recovery::ZienkiewiczZhu},
+     {"polynomial-preserving", Recovery::PolynomialPreserving}}};
+
+/// A size that is constant or varies.
+struct SizeLimit {
+  double constant = 0.0;
+  std::optional<Expression> varying;
+};
+
+SizeLimit read_size_limit(CaseReading& reading, Json& section, const std::string& key) {
+  std::optional<Expression> size = reading.expression(section[key], "/metric/" + key);
+  if (!size) return {};
+  if (!size->is_constant()) return {0.0, std::move(size)};
+  const double constant = size->value({});
+  if (std::isfinite(constant) && constant >= 0.0) {
+    section[key] = constant;
+    return {constant, std::nullopt};
+  }
+  reading.issues.add("/metric/" + key, "must be a size, or 0 for none, not " + decimal(constant));
+  return {};
+}
+
+void read_metric(CaseReading& reading, Json& section, Case& result) {
   MetricOptions& metric = result.metric;
   const bool sign_aware = section["kind"] == "sign-aware";
   metric.kind = sign_aware ? MetricKind::SignAware : MetricKind::LoseilleAlauzet;
   const Json& norm = section["norm"];
   metric.norm = norm.is_string() ? std::numeric_limits<double>::infinity() : norm.get<double>();
+  // What a solution gets wrong from vertex to vertex must be smoothed; given values are right.
+  if (!section.contains("recovery")) section["recovery"] = result.interpolation ? "least-squares" : "zienkiewicz-zhu";
   metric.exact_hessian = section["recovery"] == "exact";
-  const bool twice = section["recovery"] == "double-projection";
-  metric.recovery = twice ? Recovery::DoubleProjection : Recovery::LeastSquares;
+  if (!metric.exact_hessian) metric.recovery = named(section, "recovery", recovery_names);
   if (section["interpolation"] == "linear") metric.interpolation = MetricInterpolation::Linear;
-  metric.h_min = section["h_min"].get<double>();
-  metric.h_max = section["h_max"].get<double>();
+  SizeLimit h_min = read_size_limit(reading, section, "h_min");
+  SizeLimit h_max = read_size_limit(reading, section, "h_max");
+  metric.h_min = h_min.constant;
+  metric.h_max = h_max.constant;
+  metric.h_min_at = std::move(h_min.varying);
+  metric.h_max_at = std::move(h_max.varying);
   metric.max_aspect = section["max_aspect"].get<double>();
   metric.gradation = section["gradation"].get<double>();
   if (metric.h_max > 0.0 && metric.h_min > metric.h_max) {
@@ -54,11 +93,6 @@ void read_targets(CaseReading& reading, const Json& section, Case& result) {
   if (targets.vertices && targets.max_vertices && *targets.vertices > *targets.max_vertices) {
     reading.issues.add("/targets/vertices", "must not be larger than 'max_vertices'");
   }
-}
-
-template <class Names>
-auto named(const Json& section, const char* key, const Names& names) {
-  return named_value(names, section[key].get<std::string>());
 }
 
 template <class T, std::size_t N>
@@ -151,7 +185,7 @@ void read_expectations(CaseReading& reading, const Json& section, Case& result) 
 }  // namespace
 
 void read_option_sections(CaseReading& reading, Case& result) {
-  const Json& root = reading.document.root;
+  Json& root = reading.document.root;
   const auto clean = [&reading](const std::string& name) { return reading.issues.clean("/" + name); };
   if (clean("metric")) read_metric(reading, root["metric"], result);
   if (clean("targets")) read_targets(reading, root["targets"], result);

@@ -212,7 +212,11 @@ void read_problem_section(CaseReading& reading, const CaseGeometry* geometry, Ca
   if (!problem.contains("interpolate")) return read_equation(reading, geometry, result);
   result.interpolation = true;
   const std::string pointer = kProblem + "/interpolate";
-  if (reading.issues.clean(pointer)) result.exact = reading.expression(problem["interpolate"], pointer);
+  if (!reading.issues.clean(pointer)) return;
+  if (problem["interpolate"].is_object())
+    result.given = read_given_field(reading);
+  else
+    result.exact = reading.expression(problem["interpolate"], pointer);
 }
 
 }  // namespace parmesan

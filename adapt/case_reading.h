@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -37,6 +38,10 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading);
 /// Reads /problem into interpolation, exact and problem of the case. geometry may be null when
 /// it could not be read: then labels and regions are not checked.
 void read_problem_section(CaseReading& reading, const CaseGeometry* geometry, Case& result);
+
+/// Reads the field that /problem/interpolate names. Null, and an issue, when it cannot be used. Of the files, only
+/// those beside or below the case file. Errors: FileError, GeometryError for what is in them.
+std::shared_ptr<const GivenField> read_given_field(CaseReading& reading);
 
 /// Reads /functionals. geometry may be null when it could not be read: then names are not checked.
 void read_functionals_section(CaseReading& reading, const CaseGeometry* geometry, Case& result);

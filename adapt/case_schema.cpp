@@ -132,7 +132,19 @@ constexpr const char* kSchema = R"schema({
     "interpolation": {
       "type": "object", "required": ["interpolate"], "additionalProperties": false,
       "patternProperties": { "^x-": {} },
-      "properties": { "interpolate": { "$ref": "#/$defs/scalar", "description": "the function to adapt to" } }
+      "properties": { "interpolate": { "anyOf": [{ "$ref": "#/$defs/scalar" }, { "$ref": "#/$defs/given_field" }],
+                                       "description": "the function to adapt to" } }
+    },
+    "given_field": {
+      "title": "an object with the keys 'file' and 'mesh'", "type": "object", "required": ["file", "mesh"],
+      "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "description": "the P1 function with the values of a file at the vertices of a mesh",
+      "properties": {
+        "file": { "type": "string", "minLength": 1,
+                  "description": "beside or below the case file: .sol, .solb, or a mesh file with fields" },
+        "mesh": { "type": "string", "minLength": 1, "description": "beside or below the case file" },
+        "field": { "type": "string", "minLength": 1, "description": "which one, where the file has several" }
+      }
     },
     "equation": {
       "description": "-div(diffusion grad u) + velocity.grad u + reaction u = source",
@@ -188,13 +200,14 @@ constexpr const char* kSchema = R"schema({
         "norm": { "anyOf": [{ "type": "number", "minimum": 1 },
                             { "enum": ["inf"] }], "default": 2,
                   "description": "p of the Lp norm of the error to minimise" },
-        "recovery": { "enum": ["least-squares", "double-projection", "exact"], "default": "least-squares",
-                      "description": "where second derivatives come from" },
+        "recovery": { "enum": ["least-squares", "double-projection", "zienkiewicz-zhu", "polynomial-preserving", "exact"],
+                      "description": "of derivatives; default: zienkiewicz-zhu of solutions, least-squares of given functions" },
         "interpolation": { "enum": ["log-euclidean", "linear"], "default": "log-euclidean",
                            "description": "of metrics between the vertices of the previous mesh; linear as in the thesis" },
-        "h_min": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0, "description": "smallest size; 0: none" },
-        "h_max": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0,
-                   "description": "largest size; 0: a quarter of the domain's diameter" },
+        "h_min": { "$ref": "#/$defs/scalar", "minimum": 0, "default": 0,
+                   "description": "smallest size, may vary with x and y; 0: none" },
+        "h_max": { "$ref": "#/$defs/scalar", "minimum": 0, "default": 0,
+                   "description": "largest size, may vary with x and y; 0: a quarter of the domain's diameter" },
         "max_aspect": { "$ref": "#/$defs/constant", "minimum": 1, "default": 1000000,
                         "description": "largest ratio of the two sizes" },
         "gradation": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0,

@@ -55,6 +55,11 @@ void fields(Archive& archive, StageSeconds& s) {
 }
 
 template <class Archive>
+void fields(Archive& archive, Clipped& c) {
+  archive(c.count, c.low, c.high);
+}
+
+template <class Archive>
 void fields(Archive& archive, ClippedSizes& c) {
   archive(c.h_min, c.h_max, c.aspect, c.gradation);
 }

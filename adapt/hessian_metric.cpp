@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "adapt/size_limits.h"
 #include "mesher/errors.h"
-#include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/metric/gradation.h"
 
 namespace parmesan {
@@ -48,25 +48,28 @@ Eigen2 scaled_eigen(const AbsoluteHessian& hessian, double floor, const MetricRe
   return e;
 }
 
-MetricOptions checked(MetricOptions options, const Mesh& mesh) {
-  if (options.h_max <= 0.0) options.h_max = 0.25 * bounding_diagonal(mesh.points);
-  if (!(options.h_min <= options.h_max))
-    throw InputError("h_min = " + std::to_string(options.h_min) + " exceeds h_max = " + std::to_string(options.h_max));
-  if (!(options.max_aspect >= 1.0)) throw InputError("max_aspect must be at least 1");
-  options.max_aspect = std::min(options.max_aspect, 1e6);  // beyond, a tensor loses its smaller eigenvalue
-  return options;
-}
+/// The limits of the options, at each vertex.
+struct Limits {
+  std::vector<SizeLimits> sizes;
+  double gradation = 0.0;
+};
 
-Gradation limited_metrics(const Mesh& mesh, std::span<const Eigen2> shapes, double factor,
-                          const MetricOptions& options) {
-  std::vector<Metric> metrics;
-  metrics.reserve(shapes.size());
-  for (Eigen2 e : shapes) {
+std::vector<Eigen2> multiplied(std::span<const Eigen2> shapes, double factor) {
+  std::vector<Eigen2> result(shapes.begin(), shapes.end());
+  for (Eigen2& e : result) {
     e.l1 *= factor;
     e.l2 *= factor;
-    metrics.push_back(Metric::from_tensor(compose(limit_sizes(e, options))));
   }
-  if (options.gradation > 1.0) return limit_gradation(mesh, metrics, options.gradation);
+  return result;
+}
+
+Gradation limited_metrics(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, const Limits& limits) {
+  const std::vector<Eigen2> wanted = multiplied(shapes, factor);
+  std::vector<Metric> metrics;
+  metrics.reserve(wanted.size());
+  for (std::size_t v = 0; v < wanted.size(); ++v)
+    metrics.push_back(Metric::from_tensor(compose(limit_sizes(wanted[v], limits.sizes[v]))));
+  if (limits.gradation > 1.0) return limit_gradation(mesh, metrics, limits.gradation);
   return {std::move(metrics), 0, true};
 }
 
@@ -79,17 +82,17 @@ double unlimited_factor(const Mesh& mesh, std::span<const Eigen2> shapes, double
 }
 
 // Secant in log D, log C, kept inside the bracket found so far; C grows with D.
-Gradation rescaled(const Mesh& mesh, std::span<const Eigen2> shapes, double wanted, const MetricOptions& options,
+Gradation rescaled(const Mesh& mesh, std::span<const Eigen2> shapes, double wanted, const Limits& limits,
                    double& factor) {
   constexpr int max_steps = 40;
   constexpr double saturated = 1e-6;  // slope below which every size is at its limit
-  const double tolerance = options.gradation > 1.0 ? 1e-4 : 1e-7;
+  const double tolerance = limits.gradation > 1.0 ? 1e-4 : 1e-7;
   double low = -600.0, high = 600.0;
   double x = std::log(unlimited_factor(mesh, shapes, wanted)), last_x = 0.0, last_y = 0.0;
   Gradation result;
   for (int step = 0; step < max_steps; ++step) {
     factor = std::exp(x);
-    result = limited_metrics(mesh, shapes, factor, options);
+    result = limited_metrics(mesh, shapes, factor, limits);
     const double y = std::log(complexity(mesh, result.metrics) / wanted);
     if (std::abs(y) < tolerance) break;
     (y < 0.0 ? low : high) = x;
@@ -103,16 +106,16 @@ Gradation rescaled(const Mesh& mesh, std::span<const Eigen2> shapes, double want
   return result;
 }
 
-void count_clipped(std::span<const Eigen2> shapes, double factor, const MetricOptions& options, HessianMetric& result) {
-  const double low = 1.0 / (options.h_max * options.h_max);
-  const double high = options.h_min > 0.0 ? 1.0 / (options.h_min * options.h_min) : 0.0;
-  for (const Eigen2& e : shapes) {
-    const double large = factor * std::max(e.l1, e.l2);
-    const double small = factor * std::min(e.l1, e.l2);
-    if (small < low) ++result.clipped.h_max;
-    if (high > 0.0 && large > high) ++result.clipped.h_min;
-    if (large > options.max_aspect * options.max_aspect * std::max(small, low)) ++result.clipped.aspect;
+/// The vertices whose metric the gradation made finer.
+Clipped graded(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, const Limits& limits,
+               const std::vector<Metric>& metrics) {
+  constexpr double tolerance = 1e-9;
+  const Gradation before = limited_metrics(mesh, shapes, factor, {limits.sizes, 0.0});
+  Clipped clipped;
+  for (std::size_t v = 0; v < metrics.size(); ++v) {
+    if (metrics[v].density() > (1.0 + tolerance) * before.metrics[v].density()) clipped.add(mesh.points[v]);
   }
+  return clipped;
 }
 
 }  // namespace
@@ -147,10 +150,12 @@ double sign_factor(double norm) {
 }
 
 double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessians, const MetricRequest& request) {
-  constexpr double share = 0.02;
+  constexpr double largest_share = 0.02;
+  constexpr double enough_vertices = 100.0;  // to see by: finer meshes need no more
   constexpr double smallest = 1e-9;
   const std::vector<double> areas = vertex_areas(mesh);
   const double degree = density_degree(request);
+  const double share = std::min(largest_share, complexity_for_vertices(enough_vertices) / request.complexity);
   double area = 0.0, integral = 0.0, largest = 0.0;
   for (std::size_t v = 0; v < hessians.size(); ++v) {
     const Eigen2 e = floored(hessians[v], 0.0, request.isotropic);
@@ -168,33 +173,21 @@ SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, co
   return compose(scaled_eigen(hessian, floor, request));
 }
 
-Eigen2 limit_sizes(Eigen2 metric, const MetricOptions& limits) {
-  const double low = limits.h_max > 0.0 ? 1.0 / (limits.h_max * limits.h_max) : 0.0;
-  const double high =
-      limits.h_min > 0.0 ? 1.0 / (limits.h_min * limits.h_min) : std::numeric_limits<double>::infinity();
-  metric.l1 = std::clamp(metric.l1, low, high);
-  metric.l2 = std::clamp(metric.l2, low, high);
-  const double coarsest = std::max(metric.l1, metric.l2) / (limits.max_aspect * limits.max_aspect);
-  metric.l1 = std::max(metric.l1, coarsest);
-  metric.l2 = std::max(metric.l2, coarsest);
-  return metric;
-}
-
 HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHessian> hessians,
                                    const MetricRequest& request) {
   if (hessians.size() != mesh.points.size()) throw InputError("a metric needs one Hessian per vertex");
-  const MetricOptions options = checked(request.options, mesh);
+  const Limits limits{size_limits(mesh, request.options), request.options.gradation};
   HessianMetric result;
   result.floor = eigenvalue_floor(mesh, hessians, request);
   std::vector<Eigen2> shapes;
   shapes.reserve(hessians.size());
   for (const AbsoluteHessian& h : hessians) shapes.push_back(scaled_eigen(h, result.floor, request));
   double factor = 1.0;
-  Gradation last = rescaled(mesh, shapes, request.complexity, options, factor);
+  Gradation last = rescaled(mesh, shapes, request.complexity, limits, factor);
   result.metrics = std::move(last.metrics);
-  result.clipped.gradation = last.num_changed;
   result.complexity = complexity(mesh, result.metrics);
-  count_clipped(shapes, factor, options, result);
+  result.clipped = clipped_sizes(mesh, multiplied(shapes, factor), limits.sizes);
+  if (limits.gradation > 1.0) result.clipped.gradation = graded(mesh, shapes, factor, limits, result.metrics);
   return result;
 }
 

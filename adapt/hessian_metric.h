@@ -43,8 +43,8 @@ double complexity_for_vertices(double vertices);
 double sign_factor(double norm);
 
 /// The smallest eigenvalue |H| is given: where det H vanishes, det^(-1/(2p+2)) would be infinite and
-/// a mesh blind. Chosen so that the whole domain at the floor would take 2 % of the complexity, but at
-/// least 1e-9 of the largest eigenvalue, and 1 where H vanishes identically.
+/// a mesh blind. Chosen so that the whole domain at the floor would take 2 % of the complexity, or 100 vertices if
+/// that is less, but at least 1e-9 of the largest eigenvalue, and 1 where H vanishes identically.
 double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessians, const MetricRequest& request);
 
 /// |H| with the floor, scaled for the norm and the sign, before the factor D that sets the complexity.
@@ -52,14 +52,10 @@ double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessi
 /// H1: tr^(1/2) det^(-1/4) |H|, times sqrt2 where det H < 0 (THEORY, "H1").
 SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, const MetricRequest& request);
 
-/// Sizes limited to [h_min, h_max], then the larger one to max_aspect times the smaller.
-Eigen2 limit_sizes(Eigen2 metric, const MetricOptions& limits);
-
 /// The stages in order: floors, norm and sign, sizes and aspect, gradation; then the factor D is
 /// iterated until the complexity after all of them is the one asked for. Limits win.
 ///
-/// options.h_max = 0 means a quarter of the diagonal of the mesh's bounding box.
-/// Errors: InputError when the counts differ or a limit is not usable.
+/// Errors: InputError when the counts differ or a limit is not usable (size_limits).
 HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHessian> hessians,
                                    const MetricRequest& request);
 

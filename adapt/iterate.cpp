@@ -63,8 +63,9 @@ void require_finite(const Case& input, const Iterate& iterate) {
 void measure_errors(const Case& input, const Iterate& iterate, const std::optional<InterpolationLimit>& limit,
                     IterationRow& row) {
   if (!input.interpolation) row.estimated_error = estimate_error(iterate.mesh, iterate.values);
-  if (!input.exact) return;
-  const ExactFunction exact = exact_function(*input.exact);
+  const std::optional<ExactFunction> known = known_function(input);
+  if (!known) return;
+  const ExactFunction& exact = *known;
   const std::vector<double> nodal = input.interpolation ? iterate.values : interpolate(iterate.mesh, exact.value);
   row.interpolation_error = error_norms(iterate.mesh, nodal, exact);
   if (!input.interpolation) row.solution_error = error_norms(iterate.mesh, iterate.values, exact);
@@ -103,12 +104,15 @@ double area(const Mesh& mesh) {
   return sum;
 }
 
-ExactFunction exact_function(const Expression& expression) {
-  return {[expression](const Point& p) { return expression.value(p); },
-          [expression](const Point& p) {
-            const Jet u = expression.jet(p);
-            return Vector{u.x, u.y};
-          }};
+std::optional<ExactFunction> known_function(const Case& input) {
+  if (input.given) return function_of(input.given);
+  if (!input.exact) return std::nullopt;
+  const Expression& expression = *input.exact;
+  return ExactFunction{[expression](const Point& p) { return expression.value(p); },
+                       [expression](const Point& p) {
+                         const Jet u = expression.jet(p);
+                         return Vector{u.x, u.y};
+                       }};
 }
 
 Iterate uniform_iterate(const Case& input, double vertices) {
@@ -125,8 +129,9 @@ Iterate uniform_iterate(const Case& input, double vertices) {
   return iterate;
 }
 
-Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric, const TensorField* hessian) {
-  const BackgroundMesh field(previous.mesh, metric.metrics, input.metric.interpolation);
+Iterate remesh(const Case& input, const Iterate& previous, const Mesh& background, const HessianMetric& metric,
+               const TensorField* hessian) {
+  const BackgroundMesh field(background, metric.metrics, input.metric.interpolation);
   Iterate iterate = generated(input, field, previous.relaxed ? &*previous.relaxed : &previous.mesh, hessian);
   iterate.complexity = metric.complexity;
   iterate.clipped = metric.clipped;
@@ -136,8 +141,8 @@ Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& 
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous) {
   const Stopwatch watch;
   if (input.interpolation) {
-    iterate.values = interpolate(iterate.mesh, exact_function(input.exact.value()).value);
-    require_finite(input, iterate);
+    iterate.values = interpolate(iterate.mesh, known_function(input).value().value);
+    if (input.exact) require_finite(input, iterate);
   } else {
     std::vector<double> guess;
     if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
@@ -152,14 +157,16 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
 
 SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) {
   SecondDerivatives result;
+  result.mesh = input.given ? &input.given->mesh : &iterate.mesh;
   if (input.metric.exact_hessian && input.exact) {
     result.absolute = exact_absolute_hessians(iterate.mesh, *input.exact);
     if (input.lower_error) result.signed_field = std::make_unique<CallableTensorField>(exact_hessian(*input.exact));
   } else {
-    const std::vector<Hessian> recovered = recover_hessians(iterate.mesh, iterate.values, input.metric.recovery);
-    result.absolute = absolute_hessians(iterate.mesh, recovered);
+    const std::vector<double>& values = input.given ? input.given->values : iterate.values;
+    const std::vector<Hessian> recovered = recover_hessians(*result.mesh, values, input.metric.recovery);
+    result.absolute = absolute_hessians(*result.mesh, recovered);
     if (input.lower_error)
-      result.signed_field = std::make_unique<TensorInterpolant>(iterate.mesh, symmetric_tensors(recovered));
+      result.signed_field = std::make_unique<TensorInterpolant>(*result.mesh, symmetric_tensors(recovered));
   }
   return result;
 }

@@ -41,24 +41,27 @@ double area(const Mesh& mesh);
 /// Errors: as generate. The size follows from the area, known from a coarse mesh made first.
 Iterate uniform_iterate(const Case& input, double vertices);
 
-/// The next mesh: the metric is sampled on the mesh of the previous iterate, whose particles are the
+/// The next mesh: the metric is given on the background mesh; the particles of the previous iterate are the
 /// start. hessian: of the function whose error is to be lowered, may be null. The discrete function is not
 /// computed. Errors: as generate.
-Iterate remesh(const Case& input, const Iterate& previous, const HessianMetric& metric, const TensorField* hessian);
+Iterate remesh(const Case& input, const Iterate& previous, const Mesh& background, const HessianMetric& metric,
+               const TensorField* hessian);
 
 /// Solves on the mesh of the iterate (or interpolates). previous: where an iterative solver's first
 /// guess is taken from, may be null. Errors: as solve.
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous);
 
-/// Second derivatives, recovered from the discrete function or those of the exact one, as the case asks.
+/// Second derivatives, recovered from the discrete or the given function or those of the exact one, as the case asks.
+/// Those of a given function are recovered on its own mesh, so that none of its features is missed.
 struct SecondDerivatives {
+  const Mesh* mesh = nullptr;                 // where they are known: of the iterate, or of a given field
   std::vector<AbsoluteHessian> absolute;      // one per vertex, for metrics
   std::unique_ptr<TensorField> signed_field;  // where the case wants the error lowered, else null
 };
 SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate);
 
-/// The case's exact function, for error norms.
-ExactFunction exact_function(const Expression& expression);
+/// The function that errors are measured against, exact or given, where the case has one.
+std::optional<ExactFunction> known_function(const Case& input);
 
 /// Fills a row from an iterate: errors, efficiency, statistics in the metric, memory. Also sets
 /// iterate.seconds.measure.

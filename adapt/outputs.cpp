@@ -46,7 +46,7 @@ std::string three_digits(std::size_t number) {
 }
 
 // |u_h - u| at the centroid of each triangle; 0 where u is not finite.
-MeshField error_field(const Iterate& iterate, const Expression& exact) {
+MeshField error_field(const Iterate& iterate, const ExactFunction& exact) {
   MeshField field{"error", 1, {}};
   for (const auto& t : iterate.mesh.triangles) {
     Point center;
@@ -65,7 +65,7 @@ MeshFields fields_of(const Case& input, const Iterate& iterate) {
   MeshFields fields;
   fields.points.push_back({"solution", 1, iterate.values});
   fields.points.push_back(tensor_field("metric", iterate.metrics));
-  if (input.exact) fields.cells.push_back(error_field(iterate, *input.exact));
+  if (const auto known = known_function(input)) fields.cells.push_back(error_field(iterate, *known));
   return fields;
 }
 

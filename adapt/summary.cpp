@@ -1,5 +1,6 @@
 #include "adapt/summary.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -161,6 +162,12 @@ std::string_view to_string(StopReason reason) {
   return "";
 }
 
+void Clipped::add(const Point& p) {
+  low = count == 0 ? p : Point{std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = count == 0 ? p : Point{std::max(high.x, p.x), std::max(high.y, p.y)};
+  ++count;
+}
+
 void set_quality(IterationRow& row, const Mesh& mesh, const MeshQuality& quality) {
   row.unit_edges = quality.unit_edges;
   row.length_min = quality.length_min;
@@ -178,10 +185,10 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["vertices"] = row.vertices;
   j["triangles"] = row.triangles;
   j["complexity"] = number(row.complexity);
-  j["clipped"] = {{"h_min", row.clipped.h_min},
-                  {"h_max", row.clipped.h_max},
-                  {"aspect", row.clipped.aspect},
-                  {"gradation", row.clipped.gradation}};
+  j["clipped"] = {{"h_min", row.clipped.h_min.count},
+                  {"h_max", row.clipped.h_max.count},
+                  {"aspect", row.clipped.aspect.count},
+                  {"gradation", row.clipped.gradation.count}};
   j["interpolation_error"] = norms(row.interpolation_error, true);
   j["efficiency"] = row.efficiency ? number(*row.efficiency) : Json(nullptr);
   j["solution_error"] = norms(row.solution_error, false);

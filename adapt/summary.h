@@ -40,9 +40,17 @@ struct WorstElement {
   double quality = 0.0;
 };
 
-/// At how many vertices of the mesh before a limit changed the sizes that the error asks for.
+/// Where a limit changed the sizes that the error asks for.
+struct Clipped {
+  std::int64_t count = 0;  // vertices of the mesh before
+  Point low, high;         // the box around them
+
+  void add(const Point& p);
+};
+
+/// What the limits changed, one by one.
 struct ClippedSizes {
-  std::int64_t h_min = 0, h_max = 0, aspect = 0, gradation = 0;
+  Clipped h_min, h_max, aspect, gradation;
 };
 
 /// Wall times of one iteration. Units: s.

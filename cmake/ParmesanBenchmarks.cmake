@@ -16,3 +16,9 @@ parmesan_compile_options(delaunay_speed)
 add_executable(fem_speed EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tools/bench/fem_speed.cpp)
 target_link_libraries(fem_speed PRIVATE parmesan_fem)
 parmesan_compile_options(fem_speed)
+
+# The target `recovery_methods`: methods of Hessian recovery side by side.
+add_executable(recovery_methods EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tools/bench/recovery_methods.cpp)
+target_link_libraries(recovery_methods PRIVATE parmesan_adapt)
+target_compile_definitions(recovery_methods PRIVATE PARMESAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+parmesan_compile_options(recovery_methods)

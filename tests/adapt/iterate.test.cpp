@@ -63,7 +63,7 @@ TEST_CASE("the next mesh starts from the particles as forces left them", "[adapt
   const SecondDerivatives derivatives = second_derivatives(input, first);
   HessianMetric metric;
   metric.metrics.assign(first.mesh.points.size(), Metric::from_sizes(0.05, 0.09, 0.4));
-  const Iterate second = remesh(input, first, metric, derivatives.signed_field.get());
+  const Iterate second = remesh(input, first, first.mesh, metric, derivatives.signed_field.get());
   REQUIRE(second.relaxed);
   CHECK((second.relaxed->points != second.mesh.points));
 
@@ -72,7 +72,7 @@ TEST_CASE("the next mesh starts from the particles as forces left them", "[adapt
   const auto next_from = [&](const Mesh& start) {
     return generate(input.domain, field, input.mesher, &start).mesh.points;
   };
-  CHECK((remesh(input, second, metric, nullptr).mesh.points == next_from(*second.relaxed)));
+  CHECK((remesh(input, second, second.mesh, metric, nullptr).mesh.points == next_from(*second.relaxed)));
   CHECK((next_from(*second.relaxed) != next_from(second.mesh)));
 }
 

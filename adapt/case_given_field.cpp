@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+
+#include "adapt/case_file_geometry.h"
+#include "adapt/case_reading.h"
+#include "adapt/decimal.h"
+#include "adapt/nearest_name.h"
+#include "mesher/io/medit_fields.h"
+#include "mesher/io/mesh_file.h"
+
+namespace parmesan {
+namespace {
+
+const std::string kPointer = "/problem/interpolate";
+
+bool ends_with_sol(const std::string& path) { return path.ends_with(".sol") || path.ends_with(".solb"); }
+
+std::vector<MeshField> scalars_at_vertices(const std::string& path) {
+  std::vector<MeshField> fields =
+      ends_with_sol(path) ? read_medit_fields(path).points : read_mesh_data(path).fields.points;
+  std::erase_if(fields, [](const MeshField& field) { return field.components != 1; });
+  return fields;
+}
+
+/// The field of that name, or the only one. Nothing, and an issue, where it is not clear which is meant.
+std::optional<MeshField> choose(CaseReading& reading, std::vector<MeshField> fields, const std::string& name) {
+  std::vector<std::string> names;
+  for (const MeshField& field : fields) names.push_back(field.name);
+  if (name.empty() && fields.size() == 1) return std::move(fields.front());
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return std::move(fields[static_cast<std::size_t>(found - names.begin())]);
+  if (names.empty()) {
+    reading.issues.add(kPointer + "/file", "the file has no scalar field at vertices");
+  } else {
+    reading.issues.add(kPointer + "/field", (name.empty() ? "must name one of several fields"
+                                                          : "there is no field '" + name.substr(0, 60) + "'") +
+                                                suggestion(name, names) + ". Those in the file: " + quoted_list(names));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::shared_ptr<const GivenField> read_given_field(CaseReading& reading) {
+  const nlohmann::ordered_json& section = reading.document.root["problem"]["interpolate"];
+  const auto mesh = named_file(reading, section["mesh"].get<std::string>(), kPointer + "/mesh");
+  const auto file = named_file(reading, section["file"].get<std::string>(), kPointer + "/file");
+  if (!mesh || !file) return nullptr;
+  std::optional<MeshField> field = choose(reading, scalars_at_vertices(*file), section.value("field", std::string()));
+  if (!field) return nullptr;
+  auto given = std::make_shared<GivenField>();
+  given->mesh = read_valid_mesh(*mesh);
+  given->values = std::move(field->values);
+  if (given->mesh.triangles.empty()) {
+    reading.issues.add(kPointer + "/mesh", "the mesh has no triangles");
+    return nullptr;
+  }
+  if (given->values.size() != given->mesh.points.size()) {
+    reading.issues.add(kPointer + "/file", "has " + std::to_string(given->values.size()) + " values; the mesh has " +
+                                               std::to_string(given->mesh.points.size()) + " vertices");
+    return nullptr;
+  }
+  for (std::size_t v = 0; v < given->values.size(); ++v) {
+    if (std::isfinite(given->values[v])) continue;
+    reading.issues.add(kPointer + "/file",
+                       "the value at vertex " + std::to_string(v + 1) + " is " + decimal(given->values[v]));
+    return nullptr;
+  }
+  return given;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,47 @@
+#include "adapt/given_field.h"
+
+#include "adapt/mesh_walk.h"
+#include "fem/p1.h"
+
+namespace parmesan {
+namespace {
+
+/// A given field with the place that was looked at last.
+class Lookup {
+ public:
+  explicit Lookup(std::shared_ptr<const GivenField> field) : field_(std::move(field)), walk_(field_->mesh) {}
+
+  double value(const Point& p) {
+    const MeshPlace place = walk_.locate(p);
+    const std::array<double, 3> corners = values_at_corners(place.triangle);
+    double value = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) value += place.weights[k] * corners[k];
+    return value;
+  }
+
+  Vector gradient(const Point& p) {
+    const std::size_t triangle = walk_.locate(p).triangle;
+    return p1_gradient(p1_element(field_->mesh, static_cast<int>(triangle)), values_at_corners(triangle));
+  }
+
+ private:
+  std::array<double, 3> values_at_corners(std::size_t triangle) const {
+    std::array<double, 3> values{};
+    for (std::size_t k = 0; k < 3; ++k)
+      values[k] = field_->values[static_cast<std::size_t>(field_->mesh.triangles[triangle][k])];
+    return values;
+  }
+
+  std::shared_ptr<const GivenField> field_;
+  MeshWalk walk_;
+};
+
+}  // namespace
+
+ExactFunction function_of(const std::shared_ptr<const GivenField>& field) {
+  const auto lookup = std::make_shared<Lookup>(field);
+  return {[lookup](const Point& p) { return lookup->value(p); },
+          [lookup](const Point& p) { return lookup->gradient(p); }};
+}
+
+}  // namespace parmesan

@@ -1,0 +1,70 @@
+#include "adapt/mesh_walk.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesher/errors.h"
+#include "mesher/triangulation/neighbors.h"
+
+namespace parmesan {
+namespace {
+
+std::array<double, 3> clamped(std::array<double, 3> w) {
+  double sum = 0.0;
+  for (double& x : w) sum += x = std::max(x, 0.0);
+  for (double& x : w) x /= sum;
+  return w;
+}
+
+}  // namespace
+
+MeshWalk::MeshWalk(const Mesh& mesh) : mesh_(mesh), neighbors_(triangle_neighbors(mesh)) {
+  if (mesh.triangles.empty()) throw InputError("points cannot be found in a mesh without triangles");
+}
+
+MeshPlace MeshWalk::locate(const Point& p) {
+  if (!walk(p)) here_ = nearest(p);
+  return here_;
+}
+
+std::array<double, 3> MeshWalk::weights(std::size_t triangle, const Point& p) const {
+  const auto& t = mesh_.triangles[triangle];
+  const Point& a = mesh_.points[static_cast<std::size_t>(t[0])];
+  const Point& b = mesh_.points[static_cast<std::size_t>(t[1])];
+  const Point& c = mesh_.points[static_cast<std::size_t>(t[2])];
+  const double area = doubled_area(a, b, c);
+  return {doubled_area(p, b, c) / area, doubled_area(a, p, c) / area, doubled_area(a, b, p) / area};
+}
+
+// Leaves through the side that has p farthest behind it; may cycle or end at the boundary.
+bool MeshWalk::walk(const Point& p) {
+  constexpr double slack = 1e-12;
+  constexpr int max_steps = 5000;
+  for (int step = 0; step < max_steps; ++step) {
+    here_.weights = weights(here_.triangle, p);
+    const auto worst = std::ranges::min_element(here_.weights);
+    if (*worst >= -slack) return true;
+    const int next = neighbors_[here_.triangle][static_cast<std::size_t>(worst - here_.weights.begin())];
+    if (next < 0) return false;
+    here_.triangle = static_cast<std::size_t>(next);
+  }
+  return false;
+}
+
+MeshPlace MeshWalk::nearest(const Point& p) const {
+  MeshPlace best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const MeshPlace place{t, clamped(weights(t, p))};
+    Point foot;
+    for (std::size_t k = 0; k < 3; ++k)
+      foot = foot + place.weights[k] * mesh_.points[static_cast<std::size_t>(mesh_.triangles[t][k])];
+    const double distance = squared_norm(foot - p);
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = place;
+  }
+  return best;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// Where in a mesh a point lies.
+struct MeshPlace {
+  std::size_t triangle = 0;
+  std::array<double, 3> weights{};  // barycentric coordinates
+};
+
+/// Finds points by walking from the triangle of the last one.
+class MeshWalk {
+ public:
+  /// The mesh must outlive the walk. Errors: InputError for a mesh without triangles.
+  explicit MeshWalk(const Mesh& mesh);
+
+  /// The triangle of the point; of a point outside, the nearest place of the mesh. Cost: O(triangles crossed),
+  /// outside O(n).
+  MeshPlace locate(const Point& p);
+
+ private:
+  std::array<double, 3> weights(std::size_t triangle, const Point& p) const;
+  bool walk(const Point& p);
+  MeshPlace nearest(const Point& p) const;
+
+  const Mesh& mesh_;
+  std::vector<std::array<int, 3>> neighbors_;
+  MeshPlace here_;
+};
+
+}  // namespace parmesan
