@@ -19,11 +19,12 @@ std::string shown(double value) { return short_number(value, kDigits); }
 
 std::string at(const Point& p) { return "at (" + shown(p.x) + ", " + shown(p.y) + ") "; }
 
+/// Those of the outline: a crack neither encloses anything nor needs u have one value there.
 std::vector<Segment> sides_of(const CaseGeometry& geometry) {
   std::vector<Segment> sides;
   for (const Segment& segment : geometry.domain.segments) {
     const bool side = std::binary_search(geometry.sides.begin(), geometry.sides.end(), segment.label);
-    if (side) sides.push_back(segment);
+    if (side && !segment.label_right) sides.push_back(segment);
   }
   return sides;
 }

@@ -140,7 +140,10 @@ void read_labels(CaseReading& reading, const Json& geometry, DomainBuilder& buil
 void add_insides(const Json& geometry, DomainBuilder& builder) {
   for (const Json& point : geometry.value("points", Json::array())) builder.add_point(read_point(point));
   for (const Json& segment : geometry.value("segments", Json::array())) {
-    builder.add_segment(read_point(segment["from"]), read_point(segment["to"]), segment["label"].get<std::string>());
+    std::optional<std::string> right;
+    if (segment.contains("label_right")) right = segment["label_right"].get<std::string>();
+    builder.add_segment(read_point(segment["from"]), read_point(segment["to"]), segment["label"].get<std::string>(),
+                        right);
   }
   const Json regions = geometry.value("regions", Json::object());
   for (const auto& [name, seed] : regions.items()) {
@@ -160,10 +163,12 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
   read_labels(reading, geometry, builder);
   CaseGeometry result;
   const std::vector<int> outline = builder.labels_in_use();
-  (geometry.contains("file") ? result.optional : result.sides) = outline;
   add_insides(geometry, builder);
+  const bool from_file = geometry.contains("file");
+  result.cracks = builder.crack_labels();
   for (const int label : builder.labels_in_use()) {
-    if (!std::binary_search(outline.begin(), outline.end(), label)) result.optional.push_back(label);
+    const bool is_side = std::ranges::binary_search(outline, label) || std::ranges::binary_search(result.cracks, label);
+    (is_side && !from_file ? result.sides : result.optional).push_back(label);
   }
   result.domain = builder.domain();
   if (!reading.issues.clean(kGeometry)) return std::nullopt;

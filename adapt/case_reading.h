@@ -29,6 +29,7 @@ struct CaseGeometry {
   Domain domain;
   std::vector<int> sides;     // labels that need a condition, ascending
   std::vector<int> optional;  // labels that may have one: inside, or in a file
+  std::vector<int> cracks;    // labels of the sides of cracks, ascending
 };
 
 /// Reads /geometry. Nothing, and issues, when it cannot be used.

@@ -98,7 +98,9 @@ constexpr const char* kSchema = R"schema({
       "patternProperties": { "^x-": {} },
       "properties": {
         "from": { "$ref": "#/$defs/point" }, "to": { "$ref": "#/$defs/point" },
-        "label": { "type": "string", "minLength": 1, "default": "inside" }
+        "label": { "type": "string", "minLength": 1, "default": "inside" },
+        "label_right": { "type": "string", "minLength": 1,
+                         "description": "makes it a crack: the label of its side to the right of from -> to" }
       }
     },
     "geometry": {
@@ -126,7 +128,7 @@ constexpr const char* kSchema = R"schema({
         "regions": { "type": "object", "additionalProperties": { "$ref": "#/$defs/point" },
                      "description": "name -> a point in the region" },
         "points": { "type": "array", "items": { "$ref": "#/$defs/point" }, "description": "vertices inside" },
-        "segments": { "type": "array", "items": { "$ref": "#/$defs/segment" }, "description": "edges inside" }
+        "segments": { "type": "array", "items": { "$ref": "#/$defs/segment" }, "description": "edges and cracks inside" }
       }
     },
     "interpolation": {

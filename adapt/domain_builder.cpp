@@ -7,7 +7,8 @@
 namespace parmesan {
 
 DomainBuilder::DomainBuilder(Domain domain) : domain_(std::move(domain)) {
-  for (const Segment& segment : domain_.segments) last_label_ = std::max(last_label_, segment.label);
+  for (const Segment& segment : domain_.segments)
+    last_label_ = std::max({last_label_, segment.label, segment.label_right.value_or(segment.label)});
   for (const auto& [number, name] : domain_.label_names) {
     last_label_ = std::max(last_label_, number);
     label_of_name_.emplace(name, number);
@@ -35,10 +36,12 @@ void DomainBuilder::add_hole(const Ring& ring, const std::string& side) {
   domain_.holes.push_back(interior_point(ring));
 }
 
-void DomainBuilder::add_segment(const Point& a, const Point& b, const std::string& name) {
+void DomainBuilder::add_segment(const Point& a, const Point& b, const std::string& name,
+                                const std::optional<std::string>& right) {
   const int first = static_cast<int>(domain_.points.size());
   domain_.points.insert(domain_.points.end(), {a, b});
   domain_.segments.push_back({first, first + 1, label(name)});
+  if (right) domain_.segments.back().label_right = label(*right);
 }
 
 void DomainBuilder::add_region(const std::string& name, const Point& seed) {
@@ -51,6 +54,14 @@ void DomainBuilder::add_region(const std::string& name, const Point& seed) {
 std::vector<int> DomainBuilder::labels_in_use() const {
   std::set<int> labels;
   for (const Segment& segment : domain_.segments) labels.insert(segment.label);
+  for (const int label : crack_labels()) labels.insert(label);
+  return {labels.begin(), labels.end()};
+}
+
+std::vector<int> DomainBuilder::crack_labels() const {
+  std::set<int> labels;
+  for (const Segment& segment : domain_.segments)
+    if (segment.label_right) labels.insert({segment.label, *segment.label_right});
   return {labels.begin(), labels.end()};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ class DomainBuilder {
   void add_hole(const Ring& ring, const std::string& side);
 
   void add_point(const Point& p) { domain_.points.push_back(p); }
-  void add_segment(const Point& a, const Point& b, const std::string& name);
+
+  /// right: makes it a crack, name being that of its left side.
+  void add_segment(const Point& a, const Point& b, const std::string& name, const std::optional<std::string>& right);
   void add_region(const std::string& name, const Point& seed);
 
   /// Gives a label another name; several labels may come to have the same.
@@ -30,6 +33,9 @@ class DomainBuilder {
 
   /// The labels that segments have, ascending.
   std::vector<int> labels_in_use() const;
+
+  /// Those of the sides of cracks, ascending.
+  std::vector<int> crack_labels() const;
 
   const Domain& domain() const { return domain_; }
 

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "adapt/functional_value.h"
+#include "adapt/nodal_values.h"
 #include "adapt/stopwatch.h"
 #include "adapt/transfer.h"
+#include "mesher/cracks.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
@@ -66,7 +68,7 @@ void measure_errors(const Case& input, const Iterate& iterate, const std::option
   const std::optional<ExactFunction> known = known_function(input);
   if (!known) return;
   const ExactFunction& exact = *known;
-  const std::vector<double> nodal = input.interpolation ? iterate.values : interpolate(iterate.mesh, exact.value);
+  const std::vector<double> nodal = input.interpolation ? iterate.values : nodal_values(iterate.mesh, exact.value);
   row.interpolation_error = error_norms(iterate.mesh, nodal, exact);
   if (!input.interpolation) row.solution_error = error_norms(iterate.mesh, iterate.values, exact);
   if (limit) row.efficiency = efficiency(row.interpolation_error->l2, iterate.mesh.num_triangles(), *limit);
@@ -141,12 +143,13 @@ Iterate remesh(const Case& input, const Iterate& previous, const Mesh& backgroun
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous) {
   const Stopwatch watch;
   if (input.interpolation) {
-    iterate.values = interpolate(iterate.mesh, known_function(input).value().value);
+    iterate.values = nodal_values(iterate.mesh, known_function(input).value().value);
     if (input.exact) require_finite(input, iterate);
   } else {
     std::vector<double> guess;
     if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
-    Solution solution = solve(iterate.mesh, input.problem, guess);
+    Solution solution = has_cracks(iterate.mesh) ? solve(moved_off_cracks(iterate.mesh), input.problem, guess)
+                                                 : solve(iterate.mesh, input.problem, guess);
     iterate.values = std::move(solution.values);
     iterate.fluxes = std::move(solution.fluxes);
     iterate.solve_report = std::move(solution.report);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesher/cracks.h"
 #include "mesher/errors.h"
 #include "mesher/triangulation/neighbors.h"
 
@@ -18,7 +19,9 @@ std::array<double, 3> clamped(std::array<double, 3> w) {
 
 }  // namespace
 
-MeshWalk::MeshWalk(const Mesh& mesh) : mesh_(mesh), neighbors_(triangle_neighbors(mesh)) {
+MeshWalk::MeshWalk(const Mesh& mesh)
+    : mesh_(mesh),
+      neighbors_(has_cracks(mesh) ? triangle_neighbors(close_cracks(mesh).mesh) : triangle_neighbors(mesh)) {
   if (mesh.triangles.empty()) throw InputError("points cannot be found in a mesh without triangles");
 }
 

@@ -208,3 +208,19 @@ TEST_CASE("lower_error leaves isotropic meshes alone", "[adapt][loop]") {
   };
   CHECK(last_of(true) == last_of(false));
 }
+
+TEST_CASE("the loop solves a problem whose solution jumps across a crack", "[adapt][loop]") {
+  // sqrt(r) cos(theta/2), theta from 0 above the slit to 2 pi below it, where u = -sqrt(r).
+  const Case input = parse_case(R"json({
+    "geometry": {"rectangle": {"min": [-1, -1], "max": [1, 1]},
+                 "segments": [{"from": [0, 0], "to": [1, 0], "label": "above", "label_right": "below"}]},
+    "problem": {"source": 0, "exact": "-sqrt(hypot(x, y))*sin(atan2(-y, -x)/2)",
+                "boundary": {"*": {"dirichlet": "exact"}, "above": {"neumann": "exact"}}},
+    "metric": {"h_min": 1e-6},
+    "targets": {"h1_error": 0.08, "max_iterations": 12, "max_vertices": 3000}, "initial": {"vertices": 100}})json",
+                                "test.json");
+  const LoopResult result = adapt(input, {});
+  CHECK(result.summary.targets_met);
+  CHECK(result.summary.iterations.back().solution_error->l2 < 0.004);
+  CHECK(result.summary.iterations.back().interpolation_error->l2 < 0.002);
+}

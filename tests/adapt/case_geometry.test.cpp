@@ -105,6 +105,22 @@ TEST_CASE("A polygon takes a name per side, holes, regions, points and segments"
   CHECK(domain.points.size() == 4 + 3 + 12 + 1 + 2);
 }
 
+TEST_CASE("A segment with a label per side is a crack, and both sides need a condition", "[adapt][case]") {
+  const std::string slit = R"("rectangle": {"min": [-1, -1], "max": [1, 1]},
+      "segments": [{"from": [0, 0], "to": [1, 0], "label": "above", "label_right": "below"}])";
+  const Domain domain = domain_of_case(slit);
+  const Segment& crack = domain.segments.back();
+  REQUIRE(crack.label_right.has_value());
+  CHECK(label_name(domain.label_names, crack.label) == "above");
+  CHECK(label_name(domain.label_names, *crack.label_right) == "below");
+  CHECK(domain.points[static_cast<std::size_t>(crack.b)] == Point{1.0, 0.0});
+  const std::string sides = R"("left": {"dirichlet": 0}, "right": {"dirichlet": 0}, "bottom": {"dirichlet": 0},
+      "top": {"dirichlet": 0})";
+  const std::string open =
+      issue_text(R"({"geometry": {)" + slit + R"(}, "problem": {"boundary": {)" + sides + R"(}}})");
+  CHECK_THAT(open, Catch::Contains("no condition for the sides 'above', 'below'"));
+}
+
 TEST_CASE("A disc's polygon is inscribed and approaches the circle", "[adapt][case]") {
   const Domain domain = domain_of_case(R"("disc": {"center": [1, 2], "radius": 3, "points": 1000})");
   for (const Point& p : domain.points) CHECK(norm(p - Point{1.0, 2.0}) == Approx(3.0).epsilon(1e-14));
