@@ -23,15 +23,16 @@ std::vector<Vector> gradients_of(const std::vector<PatchFit>& fits) {
   return gradients;
 }
 
-/// The symmetric part of the gradient, by quadratic fits, of a recovered gradient.
-std::vector<Hessian> differentiated(const Mesh& mesh, const std::vector<PatchFit>& fits) {
+/// The symmetric part of the gradient of the gradient, both by the same fit.
+template <class Fit>
+std::vector<Hessian> hessians_by_two_fits(const Mesh& mesh, std::span<const double> values, Fit fit) {
   std::vector<double> dx, dy;
-  for (const PatchFit& fit : fits) {
-    dx.push_back(fit.gradient.x);
-    dy.push_back(fit.gradient.y);
+  for (const PatchFit& first : fit(mesh, values)) {
+    dx.push_back(first.gradient.x);
+    dy.push_back(first.gradient.y);
   }
-  const std::vector<Vector> of_dx = gradients_of(fit_patches(mesh, dx));
-  const std::vector<Vector> of_dy = gradients_of(fit_patches(mesh, dy));
+  const std::vector<Vector> of_dx = gradients_of(fit(mesh, dx));
+  const std::vector<Vector> of_dy = gradients_of(fit(mesh, dy));
   std::vector<Hessian> hessians(dx.size());
   for (std::size_t v = 0; v < hessians.size(); ++v) {
     hessians[v] = {of_dx[v].x, 0.5 * (of_dx[v].y + of_dy[v].x), of_dy[v].y};
@@ -42,8 +43,8 @@ std::vector<Hessian> differentiated(const Mesh& mesh, const std::vector<PatchFit
 /// Those at the boundary from one side.
 std::vector<Hessian> one_sided_hessians(const Mesh& mesh, std::span<const double> values, Recovery recovery) {
   if (recovery == Recovery::DoubleProjection) return doubly_projected_hessians(mesh, values);
-  if (recovery == Recovery::ZienkiewiczZhu) return differentiated(mesh, fit_edges(mesh, values));
-  if (recovery == Recovery::PolynomialPreserving) return differentiated(mesh, fit_patches(mesh, values));
+  if (recovery == Recovery::ZienkiewiczZhu) return hessians_by_two_fits(mesh, values, fit_edges);
+  if (recovery == Recovery::PolynomialPreserving) return hessians_by_two_fits(mesh, values, fit_patches);
   std::vector<Hessian> hessians;
   hessians.reserve(mesh.points.size());
   for (const PatchFit& fit : fit_patches(mesh, values)) hessians.push_back(fit.hessian);

@@ -16,9 +16,9 @@ struct Hessian {
 
 /// How second derivatives are recovered from a P1 function.
 enum class Recovery {
-  LeastSquares,      // quadratic fit on a patch of vertices (patch_fit.h)
-  DoubleProjection,  // lumped L2 projection of the gradient, twice (double_projection.h)
-  ZienkiewiczZhu,  // gradient by superconvergent patch recovery (superconvergent_fit.h), then that of its quadratic fit
+  LeastSquares,         // quadratic fit on a patch of vertices (patch_fit.h)
+  DoubleProjection,     // lumped L2 projection of the gradient, twice (double_projection.h)
+  ZienkiewiczZhu,       // superconvergent patch recovery of the gradient, twice (superconvergent_fit.h)
   PolynomialPreserving  // gradient of the quadratic fit, twice
 };
 

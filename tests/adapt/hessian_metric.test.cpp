@@ -157,7 +157,8 @@ TEST_CASE("limits hold in every metric and win over the complexity", "[adapt][me
   if (request.complexity == 1.0) CHECK(metric.complexity == Approx(1.0 / 0.04).epsilon(1e-6));
   if (request.complexity == 150.0) CHECK(metric.complexity == Approx(150.0).epsilon(1e-6));
   if (request.complexity == 1e7) CHECK(metric.complexity == Approx(1.0 / 0.0025).epsilon(1e-6));
-  if (request.complexity != 150.0) CHECK(metric.clipped.h_max.count + metric.clipped.h_min.count == mesh.num_vertices());
+  if (request.complexity != 150.0)
+    CHECK(metric.clipped.h_max.count + metric.clipped.h_min.count == mesh.num_vertices());
 }
 
 TEST_CASE("the complexity is reached after the gradation", "[adapt][metric]") {
