@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "adapt/case_reading.h"
@@ -49,6 +50,33 @@ SizeLimit read_size_limit(CaseReading& reading, Json& section, const std::string
   }
   reading.issues.add("/metric/" + key, "must be a size, or 0 for none, not " + decimal(constant));
   return {};
+}
+
+constexpr std::array<OptionName<SolverMethod>, 6> method_names{{{"automatic", SolverMethod::Automatic},
+                                                                {"ldlt", SolverMethod::Ldlt},
+                                                                {"lu", SolverMethod::Lu},
+                                                                {"cg", SolverMethod::Cg},
+                                                                {"bicgstab", SolverMethod::BiCgStab},
+                                                                {"gmres", SolverMethod::Gmres}}};
+constexpr std::array<OptionName<Preconditioner>, 4> preconditioner_names{{{"automatic", Preconditioner::Automatic},
+                                                                          {"jacobi", Preconditioner::Jacobi},
+                                                                          {"ilut", Preconditioner::IncompleteLu},
+                                                                          {"multigrid", Preconditioner::Multigrid}}};
+
+void read_solver(CaseReading& reading, const Json& section, Case& result) {
+  const std::string method = section["method"].get<std::string>();
+  SolverOptions& solver = result.problem.solver;
+  solver.method = named_value(method_names, method);
+  solver.preconditioner = named(section, "preconditioner", preconditioner_names);
+  solver.restart = static_cast<int>(section["restart"].get<double>());
+  const bool needs_symmetry = solver.method == SolverMethod::Cg || solver.method == SolverMethod::Ldlt;
+  if (needs_symmetry && result.problem.velocity) {
+    reading.issues.add("/solver/method",
+                       "'" + method + "' needs a symmetric matrix; with a velocity use 'bicgstab', 'gmres' or 'lu'");
+  }
+  if (solver.method == SolverMethod::Cg && solver.preconditioner == Preconditioner::IncompleteLu) {
+    reading.issues.add("/solver/preconditioner", "'cg' needs a symmetric one, 'multigrid' or 'jacobi'");
+  }
 }
 
 void read_metric(CaseReading& reading, Json& section, Case& result) {
@@ -187,6 +215,7 @@ void read_expectations(CaseReading& reading, const Json& section, Case& result) 
 void read_option_sections(CaseReading& reading, Case& result) {
   Json& root = reading.document.root;
   const auto clean = [&reading](const std::string& name) { return reading.issues.clean("/" + name); };
+  if (clean("solver")) read_solver(reading, root["solver"], result);
   if (clean("metric")) read_metric(reading, root["metric"], result);
   if (clean("targets")) read_targets(reading, root["targets"], result);
   if (clean("mesher")) read_mesher(reading, root["mesher"], result);

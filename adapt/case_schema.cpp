@@ -27,6 +27,7 @@ constexpr const char* kSchema = R"schema({
       "additionalProperties": { "$ref": "#/$defs/functional" },
       "description": "name -> a number made of the solution, reported with every iteration"
     },
+    "solver": { "$ref": "#/$defs/solver", "default": {} },
     "metric": { "$ref": "#/$defs/metric", "default": {} },
     "targets": { "$ref": "#/$defs/targets", "default": {} },
     "mesher": { "$ref": "#/$defs/mesher", "default": {} },
@@ -193,6 +194,18 @@ constexpr const char* kSchema = R"schema({
           "patternProperties": { "^x-": {} }, "description": "n.K grad u + coefficient u = value",
           "properties": { "coefficient": { "$ref": "#/$defs/scalar" }, "value": { "$ref": "#/$defs/scalar" } }
         }
+      }
+    },
+    "solver": {
+      "description": "of the linear systems; what is automatic depends on the size and the kind of the matrix",
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "method": { "enum": ["automatic", "ldlt", "lu", "cg", "bicgstab", "gmres"], "default": "automatic",
+                    "description": "tried first; direct methods follow where it fails" },
+        "preconditioner": { "enum": ["automatic", "jacobi", "ilut", "multigrid"], "default": "automatic",
+                            "description": "of iterative methods" },
+        "restart": { "type": "integer", "minimum": 1, "maximum": 1000, "default": 50,
+                     "description": "vectors that gmres keeps" }
       }
     },
     "metric": {

@@ -8,7 +8,12 @@
 #include <locale>
 #include <sstream>
 #include <vector>
+#ifdef PARMESAN_SUITESPARSE
+#include <Eigen/CholmodSupport>
+#include <Eigen/UmfPackSupport>
+#endif
 
+#include "fem/gmres.h"
 #include "fem/multigrid.h"
 #include "fem/solve.h"
 
@@ -17,25 +22,73 @@ namespace parmesan {
 namespace {
 
 using ColumnMatrix = Eigen::SparseMatrix<double>;
+#ifdef PARMESAN_SUITESPARSE
+using SymmetricFactorization = Eigen::CholmodSimplicialLDLT<ColumnMatrix>;
+using Factorization = Eigen::UmfPackLU<ColumnMatrix>;
+#else
+using SymmetricFactorization = Eigen::SimplicialLDLT<ColumnMatrix>;
+using Factorization = Eigen::SparseLU<ColumnMatrix>;
+#endif
 
 constexpr double MaxBackwardError = 1e-10;
 constexpr double MaxGrowth = 1e14;
 constexpr double IterativeTolerance = 1e-11;  // ||b - Ax|| / ||b||
 constexpr int DirectLimitSymmetric = 100'000;
 constexpr int DirectLimitNonsymmetric = 50'000;
+constexpr int MaxRestart = 1000;
 constexpr double MultigridPeclet = 1.0;  // multigrid preconditions what diffusion dominates
 
-enum class Method { Cholesky, Lu, ConjugateGradients, BiCgStabMultigrid, BiCgStabIncompleteLu };
+/// One way to solve.
+struct Attempt {
+  SolverMethod method = SolverMethod::Lu;
+  Preconditioner preconditioner = Preconditioner::Automatic;
+};
+
+constexpr Attempt Cholesky{SolverMethod::Ldlt};
+constexpr Attempt Lu{SolverMethod::Lu};
+constexpr Attempt GmresIncompleteLu{SolverMethod::Gmres, Preconditioner::IncompleteLu};
+constexpr Attempt BiCgStabIncompleteLu{SolverMethod::BiCgStab, Preconditioner::IncompleteLu};
+
+/// What a wished method is preconditioned with: aggregation follows diffusion, and CG needs symmetry.
+Preconditioner preconditioner_for(SolverMethod method, const MatrixKind& kind) {
+  const bool diffusive = kind.symmetric ? kind.definite : kind.peclet_max <= MultigridPeclet;
+  return diffusive || method == SolverMethod::Cg ? Preconditioner::Multigrid : Preconditioner::IncompleteLu;
+}
 
 /// The methods to try, the fastest for this size first, the most robust last.
-std::vector<Method> methods_for(Eigen::Index unknowns, const MatrixKind& kind) {
+std::vector<Attempt> automatic_attempts(Eigen::Index unknowns, const MatrixKind& kind) {
   if (!kind.symmetric) {
-    if (unknowns <= DirectLimitNonsymmetric) return {Method::Lu};
-    if (kind.peclet_max > MultigridPeclet) return {Method::BiCgStabIncompleteLu, Method::Lu};
-    return {Method::BiCgStabMultigrid, Method::BiCgStabIncompleteLu, Method::Lu};
+    if (unknowns <= DirectLimitNonsymmetric) return {Lu};
+    if (kind.peclet_max > MultigridPeclet) return {BiCgStabIncompleteLu, GmresIncompleteLu, Lu};
+    return {{SolverMethod::BiCgStab, Preconditioner::Multigrid}, GmresIncompleteLu, Lu};
   }
-  if (!kind.definite || unknowns <= DirectLimitSymmetric) return {Method::Cholesky, Method::Lu};
-  return {Method::ConjugateGradients, Method::Cholesky, Method::Lu};
+  if (!kind.definite || unknowns <= DirectLimitSymmetric) return {Cholesky, Lu};
+  return {{SolverMethod::Cg, Preconditioner::Multigrid}, Cholesky, Lu};
+}
+
+/// The method that was wished for, then direct ones.
+std::vector<Attempt> attempts_for(Eigen::Index unknowns, const MatrixKind& kind, const SolverOptions& options) {
+  if (options.method == SolverMethod::Automatic) return automatic_attempts(unknowns, kind);
+  const bool chosen = options.preconditioner != Preconditioner::Automatic;
+  std::vector<Attempt> attempts{
+      {options.method, chosen ? options.preconditioner : preconditioner_for(options.method, kind)}};
+  if (kind.symmetric && options.method != SolverMethod::Ldlt) attempts.push_back(Cholesky);
+  if (options.method != SolverMethod::Lu) attempts.push_back(Lu);
+  return attempts;
+}
+
+void check_options(const MatrixKind& kind, const SolverOptions& options) {
+  const bool needs_symmetry = options.method == SolverMethod::Cg || options.method == SolverMethod::Ldlt;
+  if (needs_symmetry && !kind.symmetric) {
+    throw ProblemError(std::string("the solver ") + (options.method == SolverMethod::Cg ? "cg" : "ldlt") +
+                       " needs a symmetric matrix; with a velocity use bicgstab, gmres or lu");
+  }
+  if (options.method == SolverMethod::Cg && options.preconditioner == Preconditioner::IncompleteLu) {
+    throw ProblemError("the solver cg needs a symmetric preconditioner, multigrid or jacobi, not ilut");
+  }
+  if (options.restart < 1 || options.restart > MaxRestart) {
+    throw InputError("restart is " + std::to_string(options.restart) + "; it must be from 1 to 1000");
+  }
 }
 
 /// Solves directly, and once more for the residual.
@@ -65,30 +118,40 @@ LinearResult solve_iteratively(Solver& solver, const RowMatrix& matrix, const Ei
   return result;
 }
 
-LinearResult apply(Method method, const RowMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& guess) {
-  switch (method) {
-    case Method::Cholesky:
-      return solve_direct<Eigen::SimplicialLDLT<ColumnMatrix>>(matrix, b, "LDLT");
-    case Method::ConjugateGradients: {
-      Eigen::ConjugateGradient<RowMatrix, Eigen::Lower | Eigen::Upper, AggregationMultigrid> solver;
-      solver.setMaxIterations(300);
-      return solve_iteratively(solver, matrix, b, guess, "CG");
-    }
-    case Method::BiCgStabMultigrid: {
-      Eigen::BiCGSTAB<RowMatrix, AggregationMultigrid> solver;
-      solver.setMaxIterations(100);
-      return solve_iteratively(solver, matrix, b, guess, "BiCGSTAB");
-    }
-    case Method::BiCgStabIncompleteLu: {
-      Eigen::BiCGSTAB<RowMatrix, Eigen::IncompleteLUT<double>> solver;
-      solver.setMaxIterations(500);
-      solver.preconditioner().setDroptol(1e-3);
-      return solve_iteratively(solver, matrix, b, guess, "BiCGSTAB");
-    }
-    case Method::Lu:
-      break;
+/// Iterates with one preconditioner. Limits on iterations: beyond, a direct method is faster.
+template <class Preconditioning>
+LinearResult iterate(const Attempt& attempt, const RowMatrix& matrix, const Eigen::VectorXd& b,
+                     const Eigen::VectorXd& guess, int restart, int max_iterations, auto prepare) {
+  const auto run = [&](auto solver, const char* name) {
+    solver.setMaxIterations(max_iterations);
+    prepare(solver.preconditioner());
+    return solve_iteratively(solver, matrix, b, guess, name);
+  };
+  switch (attempt.method) {
+    case SolverMethod::Cg:
+      return run(Eigen::ConjugateGradient<RowMatrix, Eigen::Lower | Eigen::Upper, Preconditioning>(), "CG");
+    case SolverMethod::Gmres:
+      return run(Gmres<Preconditioning>(restart), "GMRES");
+    default:
+      return run(Eigen::BiCGSTAB<RowMatrix, Preconditioning>(), "BiCGSTAB");
   }
-  return solve_direct<Eigen::SparseLU<ColumnMatrix>>(matrix, b, "LU");
+}
+
+LinearResult apply(const Attempt& attempt, const RowMatrix& matrix, const Eigen::VectorXd& b,
+                   const Eigen::VectorXd& guess, int restart) {
+  if (attempt.method == SolverMethod::Ldlt) return solve_direct<SymmetricFactorization>(matrix, b, "LDLT");
+  if (attempt.method == SolverMethod::Lu) return solve_direct<Factorization>(matrix, b, "LU");
+  const auto as_it_is = [](auto&) {};
+  switch (attempt.preconditioner) {
+    case Preconditioner::Multigrid:
+      return iterate<AggregationMultigrid>(attempt, matrix, b, guess, restart,
+                                           attempt.method == SolverMethod::Cg ? 300 : 100, as_it_is);
+    case Preconditioner::Jacobi:
+      return iterate<Eigen::DiagonalPreconditioner<double>>(attempt, matrix, b, guess, restart, 20'000, as_it_is);
+    default:
+      return iterate<Eigen::IncompleteLUT<double>>(attempt, matrix, b, guess, restart, 500,
+                                                   [](auto& ilut) { ilut.setDroptol(1e-3); });
+  }
 }
 
 /// ||A|| in the maximum norm: the largest sum of a row's absolute values.
@@ -120,12 +183,13 @@ double growth(const RowMatrix& matrix, const Eigen::VectorXd& x, const Eigen::Ve
 }
 
 LinearResult solve_linear(const RowMatrix& matrix, const Eigen::VectorXd& b, const MatrixKind& kind,
-                          const Eigen::VectorXd& guess) {
+                          const Eigen::VectorXd& guess, const SolverOptions& options) {
+  check_options(kind, options);
   if (b.size() == 0) return {.x = b, .solver = kind.symmetric ? "LDLT" : "LU"};
   std::ostringstream tried;
   tried.imbue(std::locale::classic());
-  for (const Method method : methods_for(matrix.rows(), kind)) {
-    LinearResult result = apply(method, matrix, b, guess);
+  for (const Attempt& attempt : attempts_for(matrix.rows(), kind, options)) {
+    LinearResult result = apply(attempt, matrix, b, guess, options.restart);
     result.backward_error = backward_error(matrix, result.x, b);
     const double grown = growth(matrix, result.x, b);
     if (result.backward_error <= MaxBackwardError && grown <= MaxGrowth) return result;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fem/assembly.h"
+#include "fem/solver_options.h"
 
 namespace parmesan {
 
@@ -17,7 +18,7 @@ struct MatrixKind {
 /// The solution of A x = b and how it was found.
 struct LinearResult {
   Eigen::VectorXd x;
-  std::string solver;  // "LDLT", "LU", "CG", "BiCGSTAB"
+  std::string solver;  // "LDLT", "LU", "CG", "BiCGSTAB", "GMRES"
   int iterations = 0;
   double backward_error = 0.0;
 };
@@ -38,8 +39,10 @@ double growth(const RowMatrix& matrix, const Eigen::VectorXd& x, const Eigen::Ve
 /// error is computed, and above 1e-10 the next more robust method is tried, as it is when the growth
 /// exceeds 1e14: then the matrix is singular to working precision.
 ///
-/// Errors: SolveError when no method met both limits.
+/// options may name a method, which is then tried first, before direct ones.
+/// Errors: SolveError when no method met both limits; ProblemError when CG or LDLT is wished for a matrix that is not
+/// symmetric; InputError for a restart out of range.
 LinearResult solve_linear(const RowMatrix& matrix, const Eigen::VectorXd& b, const MatrixKind& kind,
-                          const Eigen::VectorXd& guess);
+                          const Eigen::VectorXd& guess, const SolverOptions& options = {});
 
 }  // namespace parmesan

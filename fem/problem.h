@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fem/solver_options.h"
 #include "mesher/errors.h"
 #include "mesher/mesh.h"
 
@@ -59,6 +60,7 @@ struct Problem {
   std::vector<PointSource> point_sources;
   std::map<int, BoundaryCondition> boundary;
   bool stabilize = true;  // SUPG where the mesh Peclet number exceeds 1
+  SolverOptions solver;
 };
 
 /// The problem and its data contradict each other: a boundary part without a condition, pure

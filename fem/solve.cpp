@@ -57,7 +57,8 @@ Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double>
   const ReducedSystem reduced = reduce(system, fixed);
   const MatrixKind kind{
       .symmetric = system.symmetric, .definite = system.symmetric && system.definite, .peclet_max = system.peclet_max};
-  const LinearResult linear = solve_linear(reduced.matrix, reduced.load, kind, guess_of(reduced, guess));
+  const LinearResult linear =
+      solve_linear(reduced.matrix, reduced.load, kind, guess_of(reduced, guess), problem.solver);
   solution.values = std::move(fixed.values);
   for (std::size_t i = 0; i < reduced.vertices.size(); ++i) {
     solution.values[static_cast<std::size_t>(reduced.vertices[i])] = linear.x[static_cast<Eigen::Index>(i)];

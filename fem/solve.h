@@ -18,7 +18,7 @@ class SolveError : public std::runtime_error {
 };
 
 struct SolveReport {
-  std::string solver;  // "LDLT", "LU", "CG", "BiCGSTAB"
+  std::string solver;  // "LDLT", "LU", "CG", "BiCGSTAB", "GMRES"
   int unknowns = 0;
   int iterations = 0;           // 0 for direct solvers
   double backward_error = 0.0;  // ||b - Ax|| / (||A|| ||x|| + ||b||)

@@ -182,6 +182,25 @@ TEST_CASE("A problem that cannot be read is refused with what is allowed", "[ada
   CHECK_THAT(issue_text(case_text(R"("source": "nx", )" + kZeroBoundary)), Catch::Contains("unknown name 'nx'"));
 }
 
+TEST_CASE("The solver that a case names is the one the problem is solved by", "[adapt][case]") {
+  CHECK(with_problem(kZeroBoundary).problem.solver.method == SolverMethod::Automatic);
+  const std::string solver = R"(, "solver": {"method": "gmres", "preconditioner": "ilut", "restart": 20})";
+  const SolverOptions options = with_problem(R"("velocity": [1, 0], )" + kZeroBoundary, solver).problem.solver;
+  CHECK(options.method == SolverMethod::Gmres);
+  CHECK(options.preconditioner == Preconditioner::IncompleteLu);
+  CHECK(options.restart == 20);
+}
+
+TEST_CASE("A solver that does not suit the problem is refused", "[adapt][case][errors]") {
+  const std::string flow = R"("velocity": [1, 0], )" + kZeroBoundary;
+  CHECK_THAT(issue_text(case_text(flow, R"(, "solver": {"method": "cg"})")),
+             Catch::Contains("/solver/method: 'cg' needs a symmetric matrix"));
+  CHECK_THAT(issue_text(case_text(kZeroBoundary, R"(, "solver": {"method": "cg", "preconditioner": "ilut"})")),
+             Catch::Contains("/solver/preconditioner: 'cg' needs a symmetric one"));
+  CHECK_THAT(issue_text(case_text(flow, R"(, "solver": {"method": "gmers"})")), Catch::Contains("'gmres'"));
+  CHECK_THAT(issue_text(case_text(flow, R"(, "solver": {"restart": 0})")), Catch::Contains("/solver/restart"));
+}
+
 TEST_CASE("A source or Dirichlet data that contradict the exact solution are found", "[adapt][case][errors]") {
   const std::string exact = R"json("exact": "sin(pi*x)*sin(pi*y)", )json";
   CHECK(issue_text(case_text(exact + R"json("source": "2*pi^2*sin(pi*x)*sin(pi*y)", )json" + kZeroBoundary)).empty());

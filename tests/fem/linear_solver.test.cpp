@@ -1,8 +1,11 @@
 #include "fem/linear_solver.h"
 
+#include <Eigen/IterativeLinearSolvers>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "fem/gmres.h"
 #include "fem/multigrid.h"
 #include "fem/norms.h"
 #include "fem/reduction.h"
@@ -67,6 +70,87 @@ TEST_CASE("a wrong claim of symmetry is found out and corrected", "[fem][solver]
 
 TEST_CASE("a system without unknowns has an empty solution", "[fem][solver]") {
   CHECK(solve_linear(RowMatrix(0, 0), Eigen::VectorXd(0), {}, Eigen::VectorXd(0)).x.size() == 0);
+}
+
+TEST_CASE("every method with every preconditioner finds the solution that is known", "[fem][solver]") {
+  // b is made from x, and convection makes the matrix unsymmetric; CG and LDLT get it without.
+  const SolverMethod method =
+      GENERATE(SolverMethod::Ldlt, SolverMethod::Lu, SolverMethod::Cg, SolverMethod::BiCgStab, SolverMethod::Gmres);
+  const Preconditioner preconditioner = GENERATE(Preconditioner::Automatic, Preconditioner::Jacobi,
+                                                 Preconditioner::IncompleteLu, Preconditioner::Multigrid);
+  const bool symmetric = method == SolverMethod::Cg || method == SolverMethod::Ldlt;
+  if (method == SolverMethod::Cg && preconditioner == Preconditioner::IncompleteLu) return;
+  Problem problem = poisson();
+  if (!symmetric) problem.velocity = [](const Point& p, int) { return Vector{20 * p.y, -10.0}; };
+  const Mesh mesh = random_square(40, 0.2, 4);
+  const RowMatrix matrix =
+      reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh))).matrix;
+  Eigen::VectorXd x(matrix.rows());
+  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = 1.0 + std::sin(0.01 * static_cast<double>(i * i));
+  const LinearResult result = solve_linear(matrix, matrix * x, {symmetric, symmetric, 0.2},
+                                           Eigen::VectorXd::Zero(x.size()), {method, preconditioner, 30});
+  CHECK(result.solver == std::array{"", "LDLT", "LU", "CG", "BiCGSTAB", "GMRES"}[static_cast<std::size_t>(method)]);
+  CHECK((result.iterations > 0) == (method != SolverMethod::Ldlt && method != SolverMethod::Lu));
+  CHECK((result.x - x).lpNorm<Eigen::Infinity>() < 1e-7);
+}
+
+TEST_CASE("GMRES that keeps all vectors ends after as many steps as there are different eigenvalues",
+          "[fem][solver][gmres]") {
+  // Blocks [1 1/2; -1/2 1] and [1]: a normal matrix with the eigenvalues 1 + i/2, 1 - i/2 and 1, whose diagonal is 1.
+  RowMatrix matrix(30, 30);
+  for (int i = 0; i < 30; ++i) {
+    matrix.insert(i, i) = 1.0;
+    if (i % 3 == 0) matrix.insert(i, i + 1) = 0.5;
+    if (i % 3 == 1) matrix.insert(i, i - 1) = -0.5;
+  }
+  Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(30, 1.0, 2.0);
+  Gmres<Eigen::DiagonalPreconditioner<double>> gmres(30);
+  gmres.compute(matrix);
+  const Eigen::VectorXd x = gmres.solveWithGuess(b, Eigen::VectorXd::Zero(30));
+  CHECK(gmres.info() == Eigen::Success);
+  CHECK(gmres.iterations() == 3);
+  CHECK((b - matrix * x).norm() < 1e-11 * b.norm());
+  CHECK(gmres.solveWithGuess(b, x).isApprox(x));
+  CHECK(gmres.iterations() == 0);
+}
+
+TEST_CASE("GMRES says so when it stagnates", "[fem][solver][gmres]") {
+  // A cyclic shift: every Krylov vector but the last leaves the residual as it is (Nachtigal, Reddy & Trefethen 1992).
+  RowMatrix matrix(20, 20);
+  for (int i = 0; i < 20; ++i) matrix.insert(i, (i + 19) % 20) = 1.0;
+  const Eigen::VectorXd b = Eigen::VectorXd::Unit(20, 0);
+  const int restart = GENERATE(5, 20);
+  Gmres<Eigen::IdentityPreconditioner> gmres(restart);
+  gmres.compute(matrix);
+  gmres.solveWithGuess(b, Eigen::VectorXd::Zero(20));
+  CHECK((gmres.info() == Eigen::Success) == (restart == 20));
+}
+
+TEST_CASE("a wished method that fails is followed by a direct one", "[fem][solver]") {
+  // GMRES(1) stalls on an indefinite matrix: where r.A r = 0 no multiple of A r makes the residual r smaller.
+  Problem problem = poisson();
+  problem.reaction = [](const Point&, int) { return -500.0; };
+  const Mesh mesh = random_square(40, 0.2, 5);
+  const ReducedSystem system = reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+  const LinearResult result =
+      solve_linear(system.matrix, system.load, {true, false}, Eigen::VectorXd::Zero(system.load.size()),
+                   {SolverMethod::Gmres, Preconditioner::Jacobi, 1});
+  CHECK(result.solver == "LDLT");
+  CHECK((system.load - system.matrix * result.x).norm() < 1e-10 * system.load.norm());
+}
+
+TEST_CASE("wishes that cannot be met are refused", "[fem][solver][errors]") {
+  RowMatrix matrix(1, 1);
+  matrix.insert(0, 0) = 1.0;
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(1);
+  const auto solve_by = [&](const MatrixKind& kind, const SolverOptions& options) {
+    return solve_linear(matrix, b, kind, Eigen::VectorXd::Zero(1), options);
+  };
+  CHECK_THROWS_AS(solve_by({}, {SolverMethod::Cg}), ProblemError);
+  CHECK_THROWS_AS(solve_by({}, {SolverMethod::Ldlt}), ProblemError);
+  CHECK_THROWS_AS(solve_by({true, true}, {SolverMethod::Cg, Preconditioner::IncompleteLu}), ProblemError);
+  const int restart = GENERATE(0, -1, 1001);
+  CHECK_THROWS_AS(solve_by({}, {SolverMethod::Gmres, Preconditioner::Jacobi, restart}), InputError);
 }
 
 TEST_CASE("backward_error is that of the definition", "[fem][solver]") {
