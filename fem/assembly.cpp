@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "fem/adjacency.h"
 #include "fem/coefficients.h"
 #include "fem/load.h"
 #include "fem/p1.h"
+#include "fem/parallel.h"
 #include "fem/point_sources.h"
 #include "fem/stabilization.h"
 
@@ -37,6 +37,16 @@ RowMatrix zero_matrix(const Mesh& mesh) {
   matrix.finalize();
   return matrix;
 }
+
+/// What one triangle adds to the equations of its vertices.
+struct ElementSystem {
+  Matrix3 matrix{};
+  SourceMoments load{};
+  double area = 0.0;
+  double peclet = 0.0;    // mesh Peclet number
+  bool reacts = false;    // the reaction is not zero
+  bool negative = false;  // the reaction is negative
+};
 
 /// Coefficients of one element, integrated against its basis functions.
 struct ElementIntegrals {
@@ -94,33 +104,39 @@ void add_supg(const P1Element& element, const Vector& b, double tau, Matrix3& lo
   }
 }
 
-/// Adds the matrix and the load of a triangle to those of the mesh.
-void scatter(const std::array<int, 3>& vertices, const Matrix3& a, const Matrix3& b, const SourceMoments& load,
-             AssembledSystem& system) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    system.load[vertices[i]] += load[i];
-    for (std::size_t j = 0; j < 3; ++j) system.matrix.coeffRef(vertices[i], vertices[j]) += a[i][j] + b[i][j];
-  }
-}
-
-/// Adds the integrals over one triangle.
-void add_triangle(const Mesh& mesh, const Problem& problem, std::size_t t, SourceMoments load,
-                  AssembledSystem& system) {
+ElementSystem element_system(const Mesh& mesh, const Problem& problem, std::size_t t, const SourceMoments& load) {
   const P1Element element = p1_element(mesh, static_cast<int>(t));
   ElementIntegrals integrals = integrate(problem, element, mesh.regions[t]);
+  ElementSystem result{.load = load, .area = element.area, .reacts = integrals.reacts, .negative = integrals.negative};
   if (problem.velocity) {
-    const double peclet = mesh_peclet(element, integrals.velocity, integrals.diffusion);
-    system.peclet_min = std::min(system.peclet_min, peclet);
-    system.peclet_max = std::max(system.peclet_max, peclet);
+    result.peclet = mesh_peclet(element, integrals.velocity, integrals.diffusion);
     const double tau = supg_parameter(element, integrals.velocity, integrals.diffusion);
-    if (problem.stabilize && tau > 0.0) add_supg(element, integrals.velocity, tau, integrals.lower_order, load);
+    if (problem.stabilize && tau > 0.0) add_supg(element, integrals.velocity, tau, integrals.lower_order, result.load);
   }
-  if (integrals.negative) system.definite = false;
-  for (const int v : mesh.triangles[t]) {
-    system.mass[v] += element.area / 3.0;
-    if (integrals.reacts) system.anchored[static_cast<std::size_t>(v)] = 1;
+  result.matrix = stiffness(element, integrals.diffusion);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) result.matrix[i][j] += integrals.lower_order[i][j];
   }
-  scatter(mesh.triangles[t], stiffness(element, integrals.diffusion), integrals.lower_order, load, system);
+  return result;
+}
+
+/// The equation of one vertex: the sum over its triangles in increasing order.
+void gather(const Mesh& mesh, const Adjacency& stars, const std::vector<ElementSystem>& elements, int vertex,
+            AssembledSystem& system) {
+  const auto v = static_cast<std::size_t>(vertex);
+  const int* const first = system.matrix.innerIndexPtr() + system.matrix.outerIndexPtr()[v];
+  const int* const last = system.matrix.innerIndexPtr() + system.matrix.outerIndexPtr()[v + 1];
+  double* const values = system.matrix.valuePtr() + system.matrix.outerIndexPtr()[v];
+  for (const int triangle : stars.of(vertex)) {
+    const auto t = static_cast<std::size_t>(triangle);
+    const std::array<int, 3>& corners = mesh.triangles[t];
+    const ElementSystem& element = elements[t];
+    const auto i = static_cast<std::size_t>(std::ranges::find(corners, vertex) - corners.begin());
+    for (std::size_t j = 0; j < 3; ++j) values[std::find(first, last, corners[j]) - first] += element.matrix[i][j];
+    system.load[vertex] += element.load[i];
+    system.mass[vertex] += element.area / 3.0;
+    if (element.reacts) system.anchored[v] = 1;
+  }
 }
 
 }  // namespace
@@ -134,11 +150,19 @@ AssembledSystem assemble(const Mesh& mesh, const Problem& problem) {
   system.mass.setZero(mesh.num_vertices());
   system.anchored.assign(mesh.points.size(), 0);
   system.symmetric = !problem.velocity;
-  if (problem.velocity) system.peclet_min = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    add_triangle(mesh, problem, t, loads.empty() ? SourceMoments{} : loads[t], system);
+  std::vector<ElementSystem> elements(mesh.triangles.size());
+  for_each_in_parallel(elements.size(), [&](std::size_t t) {
+    elements[t] = element_system(mesh, problem, t, loads.empty() ? SourceMoments{} : loads[t]);
+  });
+  const Adjacency stars = vertex_triangles(mesh);
+  for_each_in_parallel(mesh.points.size(),
+                       [&](std::size_t v) { gather(mesh, stars, elements, static_cast<int>(v), system); });
+  if (!elements.empty()) {
+    const auto [low, high] = std::ranges::minmax_element(elements, {}, &ElementSystem::peclet);
+    system.peclet_min = low->peclet;
+    system.peclet_max = high->peclet;
   }
-  if (mesh.triangles.empty()) system.peclet_min = 0.0;
+  system.definite = std::ranges::none_of(elements, &ElementSystem::negative);
   return system;
 }
 

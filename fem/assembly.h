@@ -28,6 +28,7 @@ struct AssembledSystem {
 ///
 /// the terms with tau those of SUPG (Brooks & Hughes 1982), b_T the mean of b in the triangle.
 /// Errors: ProblemError with the place where a coefficient is not finite or K not positive definite.
+/// On the threads of OpenMP, element by element and then row by row: the same bits for any number of threads.
 /// Cost: O(n).
 AssembledSystem assemble(const Mesh& mesh, const Problem& problem);
 

@@ -6,6 +6,7 @@
 
 #include "fem/coefficients.h"
 #include "fem/p1.h"
+#include "fem/parallel.h"
 
 namespace parmesan {
 
@@ -141,8 +142,12 @@ void add(const SourceMoments& part, SourceMoments& sum) {
 void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open, double tolerance,
             std::vector<SourceMoments>& result) {
   for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
-    for (const SampledPart& parent : std::exchange(open, {})) {
-      const Children children = children_of(mesh, problem, parent);
+    const std::vector<SampledPart> parents = std::exchange(open, {});
+    std::vector<Children> families(parents.size());
+    for_each_in_parallel(parents.size(), [&](std::size_t k) { families[k] = children_of(mesh, problem, parents[k]); });
+    for (std::size_t k = 0; k < parents.size(); ++k) {
+      const SampledPart& parent = parents[k];
+      const Children& children = families[k];
       if (children.confirm(parent.sample, std::ldexp(tolerance, 1 - depth))) {
         add(children.moments, result[parent.triangle]);
       } else {
@@ -175,12 +180,12 @@ std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sampl
 std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem) {
   if (!problem.source && !uses_divergence_form(problem)) return {};
   std::vector<Sample> samples(mesh.triangles.size());
-  double magnitude = 0.0;
-  for (std::size_t t = 0; t < samples.size(); ++t) {
+  for_each_in_parallel(samples.size(), [&](std::size_t t) {
     const P1Element element = p1_element(mesh, static_cast<int>(t));
     samples[t] = ElementSource(problem, element, mesh.regions[t]).sample({});
-    magnitude += samples[t].magnitude;
-  }
+  });
+  double magnitude = 0.0;
+  for (const Sample& sample : samples) magnitude += sample.magnitude;
   const double tolerance = GlobalTolerance * magnitude / static_cast<double>(samples.size());
   const std::vector<char> suspected = near_rough_triangles(mesh, samples, tolerance);
   std::vector<SourceMoments> result(samples.size());

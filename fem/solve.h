@@ -47,7 +47,8 @@ struct Solution {
 /// guess: nodal values an iterative solver starts from, empty for none.
 /// The mesh is taken to pass validate(). Where the boundary and the coefficients leave u open up to
 /// a constant (pure Neumann data on a connected component), its mean value there is zero.
-/// Coefficients and data are called from one thread.
+/// Coefficients and the source are called from several threads at once, boundary data from one. The result has the same
+/// bits for any number of threads.
 /// Errors: ProblemError (data), SolveError (backward error above 1e-10 after the fallbacks, or
 /// singular to working precision),
 /// GeometryError (a triangle whose area is not positive in floating point).

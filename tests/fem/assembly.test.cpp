@@ -1,8 +1,13 @@
 #include "fem/assembly.h"
 
+#include <omp.h>
+
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
 
 #include "fem/boundary_conditions.h"
+#include "fem/solve.h"
 #include "tests/fem/manufactured.h"
 
 namespace parmesan {
@@ -58,6 +63,49 @@ TEST_CASE("the reaction matrix is the integral of products", "[fem][assembly]") 
   for (int v = 0; v < mesh.num_vertices(); ++v) x[v] = mesh.points[static_cast<std::size_t>(v)].x;
   CHECK(x.dot(mass * x) == Approx(1.0 / 3.0).epsilon(1e-12));
   CHECK(mass.sum() == Approx(1.0).epsilon(1e-12));
+}
+
+TEST_CASE("matrix, load and solution have the same bits for any number of threads", "[fem][assembly][parallel]") {
+  const Mesh mesh = random_square(80, 0.2, 11);
+  Problem problem = symmetric_problem();
+  problem.source = [](const Point& p, int) { return std::atan(1e3 * (p.x - 0.4 * p.y - 0.3)); };
+  problem.boundary = dirichlet_everywhere([](const Point& p) { return p.x; });
+  if (GENERATE(false, true)) problem.velocity = [](const Point& p, int) { return Vector{1e3 * p.y, 1e3}; };
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const AssembledSystem one = assemble(mesh, problem);
+  const std::vector<double> solution = solve(mesh, problem).values;
+  for (const int count : {4, 2}) {
+    omp_set_num_threads(count);
+    const AssembledSystem several = assemble(mesh, problem);
+    CHECK((one.matrix - several.matrix).norm() == 0.0);
+    CHECK(one.load == several.load);
+    CHECK(one.mass == several.mass);
+    CHECK(solution == solve(mesh, problem).values);
+  }
+  omp_set_num_threads(threads);
+}
+
+TEST_CASE("of several bad coefficients the one in the first triangle is named, whatever the threads",
+          "[fem][assembly]") {
+  const Mesh mesh = random_square(80, 0.2, 12);
+  Problem problem;
+  problem.diffusion = [](const Point& p, int) { return Diffusion{p.x - 0.5, 0.0, 1.0}; };
+  const auto message = [&](int count) {
+    omp_set_num_threads(count);
+    try {
+      assemble(mesh, problem);
+    } catch (const ProblemError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const int threads = omp_get_max_threads();
+  const std::string first = message(1);
+  CHECK(first.find("must be positive definite") != std::string::npos);
+  CHECK(message(4) == first);
+  CHECK(message(2) == first);
+  omp_set_num_threads(threads);
 }
 
 TEST_CASE("the sign of the reaction and the Robin coefficient decides definiteness", "[fem][assembly]") {
