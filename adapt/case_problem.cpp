@@ -196,6 +196,7 @@ void read_equation(CaseReading& reading, const CaseGeometry* geometry, Case& res
   if (equation) result.problem = make_problem(equation, source);
   result.problem.point_sources = reader.point_sources();
   result.problem.stabilize = section.value("stabilize", Json(true)) == true;
+  result.problem.capture_discontinuities = section.value("discontinuity_capturing", Json(false)) == true;
   if (geometry == nullptr) return;
   result.problem.boundary = read_boundary(reading, *geometry, equation);
   if (equation && exact && reading.issues.empty()) {

@@ -162,6 +162,8 @@ constexpr const char* kSchema = R"schema({
         "exact": { "$ref": "#/$defs/scalar", "description": "the exact solution" },
         "stabilize": { "type": "boolean", "default": true,
                        "description": "SUPG where the mesh Peclet number exceeds 1" },
+        "discontinuity_capturing": { "type": "boolean", "default": false,
+                                     "description": "diffusion across the flow where layers are not resolved" },
         "boundary": { "type": "object", "minProperties": 1, "additionalProperties": { "$ref": "#/$defs/condition" },
                       "description": "per label, \"*\" for all others" }
       }

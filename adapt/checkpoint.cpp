@@ -71,8 +71,8 @@ void fields(Archive& archive, SolutionBounds& b) {
 
 template <class Archive>
 void fields(Archive& archive, SolveReport& r) {
-  archive(r.solver, r.unknowns, r.iterations, r.backward_error, r.peclet_min, r.peclet_max, r.null_components,
-          r.compatibility_mismatch, r.minimum, r.maximum, r.bounds);
+  archive(r.solver, r.unknowns, r.iterations, r.backward_error, r.peclet_min, r.peclet_max, r.capturing_steps,
+          r.capturing_change, r.null_components, r.compatibility_mismatch, r.minimum, r.maximum, r.bounds);
 }
 
 template <class Archive>

@@ -41,6 +41,8 @@ Json solver(const std::optional<SolveReport>& r) {
               {"backward_error", number(r->backward_error)},
               {"peclet_min", number(r->peclet_min)},
               {"peclet_max", number(r->peclet_max)},
+              {"capturing_steps", r->capturing_steps},
+              {"capturing_change", number(r->capturing_change)},
               {"constant_components", r->null_components},
               {"compatibility_mismatch", number(r->compatibility_mismatch)}};
 }

@@ -5,6 +5,7 @@
 
 #include "fem/adjacency.h"
 #include "fem/coefficients.h"
+#include "fem/discontinuity_capturing.h"
 #include "fem/load.h"
 #include "fem/p1.h"
 #include "fem/parallel.h"
@@ -104,7 +105,8 @@ void add_supg(const P1Element& element, const Vector& b, double tau, Matrix3& lo
   }
 }
 
-ElementSystem element_system(const Mesh& mesh, const Problem& problem, std::size_t t, const SourceMoments& load) {
+ElementSystem element_system(const Mesh& mesh, const Problem& problem, std::size_t t, const SourceMoments& load,
+                             double crosswind) {
   const P1Element element = p1_element(mesh, static_cast<int>(t));
   ElementIntegrals integrals = integrate(problem, element, mesh.regions[t]);
   ElementSystem result{.load = load, .area = element.area, .reacts = integrals.reacts, .negative = integrals.negative};
@@ -113,7 +115,7 @@ ElementSystem element_system(const Mesh& mesh, const Problem& problem, std::size
     const double tau = supg_parameter(element, integrals.velocity, integrals.diffusion);
     if (problem.stabilize && tau > 0.0) add_supg(element, integrals.velocity, tau, integrals.lower_order, result.load);
   }
-  result.matrix = stiffness(element, integrals.diffusion);
+  result.matrix = stiffness(element, integrals.diffusion + crosswind_tensor(crosswind, integrals.velocity));
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) result.matrix[i][j] += integrals.lower_order[i][j];
   }
@@ -141,7 +143,7 @@ void gather(const Mesh& mesh, const Adjacency& stars, const std::vector<ElementS
 
 }  // namespace
 
-AssembledSystem assemble(const Mesh& mesh, const Problem& problem) {
+AssembledSystem assemble(const Mesh& mesh, const Problem& problem, std::span<const double> crosswind) {
   std::vector<SourceMoments> loads = source_moments(mesh, problem);
   add_point_sources(mesh, problem, loads);
   AssembledSystem system;
@@ -152,7 +154,8 @@ AssembledSystem assemble(const Mesh& mesh, const Problem& problem) {
   system.symmetric = !problem.velocity;
   std::vector<ElementSystem> elements(mesh.triangles.size());
   for_each_in_parallel(elements.size(), [&](std::size_t t) {
-    elements[t] = element_system(mesh, problem, t, loads.empty() ? SourceMoments{} : loads[t]);
+    elements[t] = element_system(mesh, problem, t, loads.empty() ? SourceMoments{} : loads[t],
+                                 crosswind.empty() ? 0.0 : crosswind[t]);
   });
   const Adjacency stars = vertex_triangles(mesh);
   for_each_in_parallel(mesh.points.size(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <span>
 #include <vector>
 
 #include "fem/problem.h"
@@ -27,9 +28,10 @@ struct AssembledSystem {
 ///     F_i  = int f (phi_i + tau b_T.grad phi_i),
 ///
 /// the terms with tau those of SUPG (Brooks & Hughes 1982), b_T the mean of b in the triangle.
+/// crosswind: diffusion to add across the mean velocity of each triangle (discontinuity_capturing.h), empty for none.
 /// Errors: ProblemError with the place where a coefficient is not finite or K not positive definite.
 /// On the threads of OpenMP, element by element and then row by row: the same bits for any number of threads.
 /// Cost: O(n).
-AssembledSystem assemble(const Mesh& mesh, const Problem& problem);
+AssembledSystem assemble(const Mesh& mesh, const Problem& problem, std::span<const double> crosswind = {});
 
 }  // namespace parmesan

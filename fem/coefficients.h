@@ -29,6 +29,11 @@ bool uses_divergence_form(const Problem& problem);
 double remainder_at(const Problem& problem, const Point& point, int region);
 Vector source_flux_at(const Problem& problem, const Point& point, int region);
 
+/// The sum of two diffusions.
+constexpr Diffusion operator+(const Diffusion& a, const Diffusion& b) {
+  return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
+}
+
 /// K d.
 constexpr Vector operator*(const Diffusion& k, const Vector& d) {
   return {k.xx * d.x + k.xy * d.y, k.xy * d.x + k.yy * d.y};

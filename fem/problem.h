@@ -59,7 +59,8 @@ struct Problem {
   std::optional<DivergenceForm> divergence_form;  // of the same source; the load is integrated from it
   std::vector<PointSource> point_sources;
   std::map<int, BoundaryCondition> boundary;
-  bool stabilize = true;  // SUPG where the mesh Peclet number exceeds 1
+  bool stabilize = true;                 // SUPG where the mesh Peclet number exceeds 1
+  bool capture_discontinuities = false;  // diffusion across the flow where layers are not resolved
   SolverOptions solver;
 };
 

@@ -1,9 +1,12 @@
 #include "fem/solve.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "fem/boundary_conditions.h"
 #include "fem/boundary_flux.h"
+#include "fem/discontinuity_capturing.h"
 #include "fem/linear_solver.h"
 #include "fem/null_space.h"
 #include "fem/reduction.h"
@@ -39,13 +42,10 @@ void report_range(const Mesh& mesh, const Problem& problem, const std::vector<Si
   if (solution.report.null_components == 0) solution.report.bounds = solution_bounds(mesh, problem, sides);
 }
 
-}  // namespace
-
-Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess) {
-  check_sizes(mesh, guess);
-  const std::vector<Side> sides = labelled_sides(mesh);
-  check_conditions(mesh, problem, sides);
-  AssembledSystem system = assemble(mesh, problem);
+/// Solves with this diffusion added across the flow.
+Solution solve_once(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                    std::span<const double> guess, std::span<const double> crosswind) {
+  AssembledSystem system = assemble(mesh, problem, crosswind);
   add_flux_conditions(mesh, problem, sides, system);
   FixedVertices fixed = dirichlet_values(mesh, problem, sides);
   const NullSpace null_space = find_null_space(mesh, system, fixed);
@@ -74,6 +74,43 @@ Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double>
   solution.fluxes = boundary_fluxes(mesh, problem, sides, system, solution.values);
   report_range(mesh, problem, sides, solution);
   return solution;
+}
+
+/// The largest change of a value over the range of the new ones.
+double relative_change(const std::vector<double>& before, const Solution& after) {
+  double change = 0.0;
+  for (std::size_t v = 0; v < before.size(); ++v) change = std::max(change, std::abs(after.values[v] - before[v]));
+  return change == 0.0 ? 0.0 : change / (after.report.maximum - after.report.minimum);
+}
+
+/// Fixed-point iteration for the diffusion that depends on the solution, damped because it may oscillate.
+Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                                 Solution solution) {
+  constexpr int max_steps = 20;
+  constexpr double tolerance = 1e-3;
+  constexpr double damping = 0.5;
+  std::vector<double> crosswind = crosswind_diffusion(mesh, problem, solution.values);
+  for (int step = 1; step <= max_steps; ++step) {
+    Solution next = solve_once(mesh, problem, sides, solution.values, crosswind);
+    next.report.capturing_steps = step;
+    next.report.capturing_change = relative_change(solution.values, next);
+    solution = std::move(next);
+    if (solution.report.capturing_change < tolerance) break;
+    const std::vector<double> wanted = crosswind_diffusion(mesh, problem, solution.values);
+    for (std::size_t t = 0; t < wanted.size(); ++t) crosswind[t] += damping * (wanted[t] - crosswind[t]);
+  }
+  return solution;
+}
+
+}  // namespace
+
+Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess) {
+  check_sizes(mesh, guess);
+  const std::vector<Side> sides = labelled_sides(mesh);
+  check_conditions(mesh, problem, sides);
+  Solution solution = solve_once(mesh, problem, sides, guess, {});
+  if (!problem.capture_discontinuities || !problem.velocity) return solution;
+  return capture_discontinuities(mesh, problem, sides, std::move(solution));
 }
 
 }  // namespace parmesan

@@ -24,7 +24,9 @@ struct SolveReport {
   double backward_error = 0.0;  // ||b - Ax|| / (||A|| ||x|| + ||b||)
   double peclet_min = 0.0;      // mesh Peclet number |b| h_b / (2 K_b) in the direction of b
   double peclet_max = 0.0;
-  int null_components = 0;              // parts of the mesh where the mean value was fixed to zero
+  int capturing_steps = 0;        // solves that discontinuity capturing took beyond the first
+  double capturing_change = 0.0;  // of the last one: largest change of a nodal value over the range of the solution
+  int null_components = 0;        // parts of the mesh where the mean value was fixed to zero
   double compatibility_mismatch = 0.0;  // largest relative imbalance of the data there
   double minimum = 0.0;                 // of the nodal values
   double maximum = 0.0;
@@ -45,13 +47,16 @@ struct Solution {
 /// Assembles and solves the P1 discretisation.
 ///
 /// guess: nodal values an iterative solver starts from, empty for none.
-/// The mesh is taken to pass validate(). Where the boundary and the coefficients leave u open up to
-/// a constant (pure Neumann data on a connected component), its mean value there is zero.
-/// Coefficients and the source are called from several threads at once, boundary data from one. The result has the same
-/// bits for any number of threads.
-/// Errors: ProblemError (data), SolveError (backward error above 1e-10 after the fallbacks, or
-/// singular to working precision),
-/// GeometryError (a triangle whose area is not positive in floating point).
+///
+/// The mesh is taken to pass validate(). Where the boundary and the coefficients leave u open up to a constant (pure
+/// Neumann data on a connected component), its mean value there is zero. Coefficients and the source are called from
+/// several threads at once, boundary data from one. The result has the same bits for any number of threads.
+///
+/// Discontinuity capturing makes the problem nonlinear: it is solved again, at most 20 times, until the solution
+/// changes by less than 1e-3 of its range; the report has what was reached.
+///
+/// Errors: ProblemError (data), SolveError (backward error above 1e-10 after the fallbacks, or singular to working
+/// precision), GeometryError (a triangle whose area is not positive in floating point).
 Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess = {});
 
 }  // namespace parmesan
