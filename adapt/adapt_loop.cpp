@@ -32,12 +32,6 @@ SizeGoal size_goal(const Targets& targets) {
 
 bool same_mesh(const Mesh& a, const Mesh& b) { return a.points == b.points && a.triangles == b.triangles; }
 
-double largest_magnitude(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double v : values) largest = std::max(largest, std::abs(v));
-  return largest;
-}
-
 // "h_max at 12 vertices in [0, 1] x [0.5, 1]"
 std::string limit_text(const char* name, const Clipped& clipped) {
   const auto range = [](double low, double high) {
@@ -91,6 +85,7 @@ class Loop {
     }
     warn_of_size();
     warn_of_misfits();
+    warn_of_nonfinite();
     Summary& summary = state_.summary;
     summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
     summary.targets_met =
@@ -167,12 +162,22 @@ class Loop {
     for (std::string& sentence : sentences(diagnosis)) state_.summary.warnings.push_back(std::move(sentence));
   }
 
+  // Of an exact function that is infinite somewhere inside: its errors are those of the rest.
+  void warn_of_nonfinite() {
+    const IterationRow& last = state_.summary.iterations.back();
+    const std::optional<ErrorNorms>& error = last.solution_error ? last.solution_error : last.interpolation_error;
+    if (!error || error->num_nonfinite == 0) return;
+    state_.summary.warnings.push_back("the exact function or its gradient is not finite at " +
+                                      std::to_string(error->num_nonfinite) +
+                                      " quadrature points of the last mesh; the errors leave them out");
+  }
+
   std::optional<StopReason> budget_spent() const {
     if (interrupted()) return StopReason::Interrupted;
     if (state_.unchanged) return StopReason::Unchanged;
     if (state_.limits_bind) return StopReason::Stagnated;
     const ErrorNorms error = targeted_error(case_, state_.summary.iterations.back());
-    if (error.l2 <= 1e-14 * largest_magnitude(state_.last.values)) return StopReason::Floor;
+    if (is_round_off(error.l2, state_.last.values)) return StopReason::Floor;
     const Targets& targets = case_.targets;
     if (static_cast<int>(state_.history.size()) >= targets.max_iterations) return StopReason::MaxIterations;
     if (targets.max_seconds && state_.seconds >= *targets.max_seconds) return StopReason::TimeBudget;
@@ -245,6 +250,12 @@ bool declares_error_target(const Targets& targets) {
 ErrorMeasure error_measure(const Targets& targets) {
   const bool only_h1 = targets.h1_error && !targets.l2_error && !targets.linf_error;
   return only_h1 ? ErrorMeasure::H1 : ErrorMeasure::Lp;
+}
+
+bool is_round_off(double l2, std::span<const double> values) {
+  double largest = 0.0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  return l2 <= 1e-14 * largest;
 }
 
 LoopResult adapt(const Case& input, const LoopOptions& options) { return Loop(input, options).run(); }

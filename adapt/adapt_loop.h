@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "adapt/case.h"
 #include "adapt/iterate.h"
@@ -41,6 +42,9 @@ bool declares_error_target(const Targets& targets);
 
 /// The error that metrics are to make small: H1 where the case's only error target is an H1 error.
 ErrorMeasure error_measure(const Targets& targets);
+
+/// Whether an L2 error is no more than the round-off of a function with these nodal values: 1e-14 of the largest.
+bool is_round_off(double l2, std::span<const double> values);
 
 /// Mesh, solve, measure, recover, metric, remesh from the previous particles, until the targets are
 /// met or a budget is spent (see StopReason and next_size). The first mesh is uniform unless

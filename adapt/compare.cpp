@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -20,7 +21,7 @@ namespace {
 
 constexpr std::array families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
 
-CompareRow row_of(MeshFamily family, const IterationRow& measured, double cpu_seconds) {
+CompareRow row_of(MeshFamily family, const IterationRow& measured, std::span<const double> values, double cpu_seconds) {
   CompareRow row;
   row.family = family;
   row.vertices = measured.vertices;
@@ -39,6 +40,7 @@ CompareRow row_of(MeshFamily family, const IterationRow& measured, double cpu_se
     row.estimated_l2 = measured.estimated_error->l2;
     row.estimated_h1 = measured.estimated_error->h1;
   }
+  row.at_round_off = is_round_off(row.leading_l2(), values);
   return row;
 }
 
@@ -106,7 +108,7 @@ class Comparison {
       cpu += spent(run.summary.iterations);
       last = std::move(run.last);
       loop.start = &last;
-      add(row_of(family, run.summary.iterations.back(), cpu));
+      add(row_of(family, run.summary.iterations.back(), last.values, cpu));
     }
   }
 
@@ -122,7 +124,10 @@ class Comparison {
     }
     constexpr double margin = 1.1;
     const double largest = margin * static_cast<double>(options_.max_uniform_vertices);
-    while (!interrupted() && result_.rows.back().leading_l2() > best && 4.0 * last.mesh.num_vertices() <= largest) {
+    const auto is_worse = [this, best] {
+      return !result_.rows.back().at_round_off && result_.rows.back().leading_l2() > best;
+    };
+    while (!interrupted() && is_worse() && 4.0 * last.mesh.num_vertices() <= largest) {
       const Stopwatch watch;
       Iterate next;
       next.mesh = refine_red(last.mesh);
@@ -136,14 +141,14 @@ class Comparison {
   void add_uniform(Iterate& next, Iterate& last) {
     compute_values(case_, next, last.values.empty() ? nullptr : &last);
     const IterationRow measured = measure(case_, next, 0, limit_);
-    add(row_of(MeshFamily::Uniform, measured, measured.seconds.cpu));
+    add(row_of(MeshFamily::Uniform, measured, next.values, measured.seconds.cpu));
     last = std::move(next);
   }
 
   void fit(MeshFamily family) {
     std::vector<double> sizes, l2, h1;
     for (const CompareRow& row : result_.rows) {
-      if (row.family != family) continue;
+      if (row.family != family || row.at_round_off) continue;
       sizes.push_back(static_cast<double>(row.vertices));
       l2.push_back(row.leading_l2());
       h1.push_back(row.leading_h1());

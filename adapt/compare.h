@@ -39,7 +39,8 @@ struct CompareRow {
   std::optional<double> interpolation_l2, interpolation_h1;
   std::optional<double> estimated_l2, estimated_h1;
   std::optional<double> efficiency;
-  double cpu_seconds = 0.0;  // mesh, solve and recover, of all passes up to this mesh; not the measuring
+  bool at_round_off = false;  // the leading L2 error says nothing: left out of the orders
+  double cpu_seconds = 0.0;   // mesh, solve and recover, of all passes up to this mesh; not the measuring
 
   /// The error that is compared: of the solution, of the interpolant, or estimated, the first there is.
   double leading_l2() const;

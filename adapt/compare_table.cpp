@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -36,11 +37,18 @@ std::string order_text(const OrderFit& fit) {
   return short_number(fit.order, 3) + (fit.num_points > 2 ? " +- " + short_number(fit.uncertainty, 1) : "");
 }
 
+// Why a family has no order, or fewer points than meshes.
+std::string round_off_text(const CompareResult& result, MeshFamily family) {
+  const auto concerned = [family](const CompareRow& row) { return row.family == family && row.at_round_off; };
+  const auto count = std::ranges::count_if(result.rows, concerned);
+  return count == 0 ? "" : " (" + std::to_string(count) + " errors are round-off and left out)";
+}
+
 std::string orders(const CompareResult& result) {
   std::string text = "\nfitted orders (error = c N^-order)\n";
   for (std::size_t k = 0; k < families.size(); ++k) {
     text += "  " + std::string(to_string(families[k])) + ": L2 " + order_text(result.l2_orders[k]) + ", H1 " +
-            order_text(result.h1_orders[k]) + "\n";
+            order_text(result.h1_orders[k]) + round_off_text(result, families[k]) + "\n";
   }
   return text;
 }
@@ -94,6 +102,7 @@ Json row_json(const CompareRow& row) {
   j["interpolation_error"] = {{"l2", number(row.interpolation_l2)}, {"h1", number(row.interpolation_h1)}};
   j["estimated_error"] = {{"l2", number(row.estimated_l2)}, {"h1", number(row.estimated_h1)}};
   j["efficiency"] = number(row.efficiency);
+  j["at_round_off"] = row.at_round_off;
   j["cpu_seconds"] = number(row.cpu_seconds);
   return j;
 }

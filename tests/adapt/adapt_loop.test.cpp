@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "mesher/errors.h"
@@ -93,6 +94,25 @@ TEST_CASE("the loop ends with its iterations or its time", "[adapt][loop]") {
 TEST_CASE("a function that P1 represents exactly ends at the floor", "[adapt][loop]") {
   const LoopResult run = adapt(interpolation_case("1", R"({"vertices": 500})"), {});
   CHECK(run.summary.stop_reason == StopReason::Floor);
+}
+
+TEST_CASE("a warning says where an exact function is not finite", "[adapt][loop]") {
+  // The first mesh does not depend on the function: infinite on a strip between its vertices.
+  const std::string targets = R"({"vertices": 150, "max_iterations": 1})";
+  const LoopResult smooth = adapt(interpolation_case("x*x", targets), {});
+  for (const std::string& warning : smooth.summary.warnings) CHECK(warning.find("is not finite") == std::string::npos);
+  std::vector<double> x;
+  for (const Point& p : smooth.last.mesh.points) x.push_back(p.x);
+  std::ranges::sort(x);
+  std::size_t widest = 1;
+  for (std::size_t k = 1; k < x.size(); ++k) {
+    if (x[k] - x[k - 1] > x[widest] - x[widest - 1]) widest = k;
+  }
+  const std::string middle = std::to_string(0.5 * (x[widest - 1] + x[widest]));
+  const std::string reach = std::to_string(0.4 * (x[widest] - x[widest - 1]));
+  const LoopResult run = adapt(interpolation_case("1/(abs(x - " + middle + ") > " + reach + " ? 1 : 0)", targets), {});
+  REQUIRE_FALSE(run.summary.warnings.empty());
+  CHECK(run.summary.warnings.back().find("is not finite at") != std::string::npos);
 }
 
 TEST_CASE("size limits that forbid the target end the loop as stagnated", "[adapt][loop]") {

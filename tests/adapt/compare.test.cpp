@@ -53,6 +53,18 @@ TEST_CASE("compare_case ranks anisotropic before isotropic before uniform meshes
   }
 }
 
+TEST_CASE("no order is fitted to errors that are round-off, and the table says why", "[adapt][compare]") {
+  const support::TemporaryFolder folder("compare_round_off");
+  CompareOptions options;
+  options.out_dir = folder.path();
+  options.sizes = {100, 200};
+  const CompareResult result = compare_case(support::interpolation_case("1 + x - 3*y", "{}"), options);
+  REQUIRE(result.l2_orders.size() == 3);
+  for (const OrderFit& fit : result.l2_orders) CHECK(fit.num_points == 0);
+  CHECK(result.table.find("errors are round-off") != std::string::npos);
+  CHECK(to_json(result)["orders"]["uniform"]["l2"].is_null());
+}
+
 TEST_CASE("compare_case refuses sizes that do not ascend", "[adapt][compare][errors]") {
   CompareOptions options;
   options.out_dir = support::TemporaryFolder("compare_errors").path();
