@@ -12,7 +12,7 @@ namespace parmesan {
 Functional region_integral(const Mesh& mesh, const ScalarCoefficient& weight) {
   Problem problem;
   problem.source = weight ? weight : [](const Point&, int) { return 1.0; };
-  const std::vector<SourceMoments> moments = source_moments(mesh, problem);
+  const std::vector<SourceMoments> moments = source_moments(mesh, problem, accurate_load);
   Functional functional(mesh.points.size(), 0.0);
   for (std::size_t t = 0; t < moments.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) functional[static_cast<std::size_t>(mesh.triangles[t][i])] += moments[t][i];
@@ -41,6 +41,18 @@ Functional point_value(const Mesh& mesh, const Point& point) {
     functional[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(triangle)][i])] = lambda[i];
   }
   return functional;
+}
+
+Functional functional_vector(const Mesh& mesh, const GoalFunctional& goal) {
+  Functional sum = goal.density ? region_integral(mesh, goal.density) : Functional(mesh.points.size(), 0.0);
+  const auto add = [&sum](double factor, const Functional& part) {
+    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += factor * part[v];
+  };
+  for (const PointSource& point : goal.points) add(point.strength, point_value(mesh, point.place));
+  if (goal.sides.empty()) return sum;
+  const std::vector<Side> sides = labelled_sides(mesh);
+  for (const auto& [label, weight] : goal.sides) add(1.0, boundary_integral(mesh, sides, label, weight));
+  return sum;
 }
 
 double value_of(const Functional& functional, std::span<const double> values) {

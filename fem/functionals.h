@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -11,7 +13,7 @@ namespace parmesan {
 /// The same vector is the load of the dual problem.
 using Functional = std::vector<double>;
 
-/// int weight u; weight: 1 where empty, integrated like a source (load.h).
+/// int weight u; weight: 1 where empty, integrated like a source (load.h), a thousand times closer.
 /// Errors: ProblemError where the weight is not finite.
 Functional region_integral(const Mesh& mesh, const ScalarCoefficient& weight);
 
@@ -21,6 +23,20 @@ Functional boundary_integral(const Mesh& mesh, const std::vector<Side>& sides, i
 
 /// u at a point. Errors: ProblemError for a point outside of the mesh. Cost: O(n).
 Functional point_value(const Mesh& mesh, const Point& point);
+
+/// A functional of the solution,
+///
+///     J(u) = int density u + sum strength u(place) + int weight u over sides + int n.K grad u over sides.
+struct GoalFunctional {
+  ScalarCoefficient density;          // zero where empty
+  std::vector<PointSource> points;    // the strengths weigh u
+  std::map<int, BoundaryData> sides;  // weights by label
+  std::set<int> fluxes;               // labels
+};
+
+/// J(phi_i) but for the fluxes, which are no functionals of nodal values alone (boundary_flux.h).
+/// Errors: as of its parts.
+Functional functional_vector(const Mesh& mesh, const GoalFunctional& goal);
 
 /// J(u).
 double value_of(const Functional& functional, std::span<const double> values);

@@ -12,9 +12,7 @@ namespace parmesan {
 
 namespace {
 
-constexpr double LocalTolerance = 1e-3;   // of the triangle's own integral of |f|
-constexpr double GlobalTolerance = 1e-3;  // of the mean integral of |f| per triangle
-constexpr double OrbitTolerance = 0.05;   // difference of the two orbits that calls for subdivision
+constexpr double OrbitFactor = 50.0;  // a difference of the two orbits of this many tolerances calls for subdivision
 constexpr int MaxDepth = 10;
 constexpr std::size_t MaxParts = 100'000;  // of one level; a source that is noise asks for any number
 
@@ -23,6 +21,7 @@ struct Sample {
   SourceMoments moments{};
   double magnitude = 0.0;    // integral of |f|, or what stands for it
   double orbit_error = 0.0;  // difference of the integrals over the two orbits of three points
+  double spread = 0.0;       // of f, largest less smallest, times the area
 };
 
 /// A part of an element, its corners in the barycentric coordinates of the element.
@@ -57,6 +56,7 @@ class ElementSource {
     Sample result;
     std::array<double, 2> orbit{};
     const double area = part.share * element_.area;
+    double smallest = HUGE_VAL, largest = -HUGE_VAL;
     for (std::size_t q = 0; q < degree4_rule().size(); ++q) {
       const TrianglePoint& point = degree4_rule()[q];
       const Barycentric l = combine(part.corners, point.lambda);
@@ -64,8 +64,11 @@ class ElementSource {
       for (std::size_t i = 0; i < 3; ++i) result.moments[i] += area * point.weight * f * l[i];
       result.magnitude += area * point.weight * std::abs(f);
       orbit[q / 3] += area * f / 3.0;
+      smallest = std::min(smallest, f);
+      largest = std::max(largest, f);
     }
     result.orbit_error = std::abs(orbit[0] - orbit[1]);
+    result.spread = area * (largest - smallest);
     if (uses_divergence_form(problem_)) add_flux(part, area, result);
     return result;
   }
@@ -112,10 +115,10 @@ struct Children {
   double magnitude = 0.0;
 
   /// The children agree with their parent.
-  bool confirm(const Sample& parent, double tolerance) const {
+  bool confirm(const Sample& parent, double local, double global) const {
     double change = 0.0;
     for (std::size_t i = 0; i < 3; ++i) change = std::max(change, std::abs(moments[i] - parent.moments[i]));
-    return change <= std::max(tolerance, LocalTolerance * magnitude);
+    return change <= std::max(global, local * magnitude);
   }
 };
 
@@ -137,10 +140,10 @@ void add(const SourceMoments& part, SourceMoments& sum) {
   for (std::size_t i = 0; i < 3; ++i) sum[i] += part[i];
 }
 
-/// Subdivides until children confirm their parents to the tolerance, which halves with each level because a layer
-/// meets twice as many parts.
-void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open, double tolerance,
-            std::vector<SourceMoments>& result) {
+/// Subdivides until children confirm their parents: to the local tolerance of their own magnitude, or to the global
+/// one, which halves with each level because a layer meets twice as many parts.
+void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open, const LoadAccuracy& accuracy,
+            double global, std::vector<SourceMoments>& result) {
   for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
     const std::vector<SampledPart> parents = std::exchange(open, {});
     std::vector<Children> families(parents.size());
@@ -148,7 +151,8 @@ void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> o
     for (std::size_t k = 0; k < parents.size(); ++k) {
       const SampledPart& parent = parents[k];
       const Children& children = families[k];
-      if (children.confirm(parent.sample, std::ldexp(tolerance, 1 - depth))) {
+      const bool is_confirmed = children.confirm(parent.sample, accuracy.tolerance, std::ldexp(global, 1 - depth));
+      if (is_confirmed && depth > accuracy.min_depth) {
         add(children.moments, result[parent.triangle]);
       } else {
         open.insert(open.end(), children.parts.begin(), children.parts.end());
@@ -158,26 +162,34 @@ void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> o
   for (const SampledPart& part : open) add(part.sample.moments, result[part.triangle]);
 }
 
-/// 1 for the triangles whose orbits differ and for those that share an edge with one: where a layer crosses
-/// triangles that do not resolve it, the orbits of a few agree by chance.
-std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sample>& samples, double tolerance) {
+/// The orbits differ; for functions that jump also: the points do.
+bool is_rough(const Sample& sample, const LoadAccuracy& accuracy, double global) {
+  if (sample.orbit_error > std::max(global, OrbitFactor * accuracy.tolerance * sample.magnitude)) return true;
+  return accuracy.min_depth > 0 && sample.spread > std::max(global, 0.5 * sample.magnitude);
+}
+
+/// 1 for the triangles whose orbits differ and for those that share an edge (or a vertex) with one: where a layer
+/// crosses triangles that do not resolve it, the orbits of a few agree by chance.
+std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sample>& samples,
+                                       const LoadAccuracy& accuracy, double global) {
+  const std::ptrdiff_t shared = accuracy.min_depth > 0 ? 1 : 2;
   std::vector<char> rough_vertex(static_cast<std::size_t>(mesh.num_vertices()), 0);
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    if (samples[t].orbit_error <= std::max(tolerance, OrbitTolerance * samples[t].magnitude)) continue;
+    if (!is_rough(samples[t], accuracy, global)) continue;
     for (const int v : mesh.triangles[t]) rough_vertex[static_cast<std::size_t>(v)] = 1;
   }
   std::vector<char> result(samples.size());
   for (std::size_t t = 0; t < samples.size(); ++t) {
     const std::array<int, 3>& v = mesh.triangles[t];
-    const auto is_rough = [&](int i) { return rough_vertex[static_cast<std::size_t>(i)] != 0; };
-    result[t] = std::count_if(v.begin(), v.end(), is_rough) >= 2 ? 1 : 0;
+    const auto touches = [&](int i) { return rough_vertex[static_cast<std::size_t>(i)] != 0; };
+    result[t] = std::count_if(v.begin(), v.end(), touches) >= shared ? 1 : 0;
   }
   return result;
 }
 
 }  // namespace
 
-std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem) {
+std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem, const LoadAccuracy& accuracy) {
   if (!problem.source && !uses_divergence_form(problem)) return {};
   std::vector<Sample> samples(mesh.triangles.size());
   for_each_in_parallel(samples.size(), [&](std::size_t t) {
@@ -186,8 +198,8 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
   });
   double magnitude = 0.0;
   for (const Sample& sample : samples) magnitude += sample.magnitude;
-  const double tolerance = GlobalTolerance * magnitude / static_cast<double>(samples.size());
-  const std::vector<char> suspected = near_rough_triangles(mesh, samples, tolerance);
+  const double global = accuracy.tolerance * magnitude / static_cast<double>(samples.size());
+  const std::vector<char> suspected = near_rough_triangles(mesh, samples, accuracy, global);
   std::vector<SourceMoments> result(samples.size());
   std::vector<SampledPart> open;
   for (std::size_t t = 0; t < samples.size(); ++t) {
@@ -197,7 +209,7 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
       result[t] = samples[t].moments;
     }
   }
-  refine(mesh, problem, std::move(open), tolerance, result);
+  refine(mesh, problem, std::move(open), accuracy, global, result);
   return result;
 }
 
