@@ -88,6 +88,8 @@ class Loop {
     warn_of_nonfinite();
     Summary& summary = state_.summary;
     summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
+    if (summary.stop_reason == StopReason::ErrorTarget && case_.targets.goal_error)
+      summary.stop_reason = StopReason::GoalTarget;
     summary.targets_met =
         goal_.error_targets ? state_.history.back().error <= 1.0 : summary.stop_reason != StopReason::Interrupted;
     return {std::move(summary), std::move(state_.last), state_.limit};
@@ -128,13 +130,19 @@ class Loop {
     rows.push_back(measure(case_, last, static_cast<int>(rows.size()), state_.limit));
     for (std::string& warning : last.report.warnings) state_.summary.warnings.push_back(std::move(warning));
     last.report.warnings.clear();
-    const double excess = target_excess(case_.targets, targeted_error(case_, rows.back()));
+    const double excess = excess_of(rows.back());
     const bool adapted = rows.size() > 1 || options_.start;
     state_.history.push_back({state_.asked, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
     const Stopwatch now;
     state_.seconds += lap_.seconds();
     lap_ = now;
     if (options_.observer) options_.observer(state_);
+  }
+
+  // Where nothing is declared but a goal, what does not cancel out of its error.
+  double excess_of(const IterationRow& row) const {
+    if (row.goal && !goal_.error_targets) return row.goal->estimate.magnitude;
+    return target_excess(case_.targets, targeted_error(case_, row), targeted_goal_error(row));
   }
 
   SizeDecision decide() const {
@@ -195,7 +203,7 @@ class Loop {
     request.isotropic = options_.isotropic;
     request.complexity = complexity_for_vertices(asked) * calibration();
     const SecondDerivatives derivatives = second_derivatives(case_, state_.last);
-    const HessianMetric metric = metric_from_hessians(*derivatives.mesh, derivatives.absolute, request);
+    const HessianMetric metric = next_metric(derivatives, request);
     StageSeconds& seconds = state_.summary.iterations.back().seconds;
     seconds.recover = recover.seconds();
     seconds.cpu += recover.cpu_seconds();
@@ -209,6 +217,18 @@ class Loop {
     state_.asked = asked;
     state_.last = std::move(next);
     return true;
+  }
+
+  // For the norms, for the goal, or for both where targets of both are declared.
+  HessianMetric next_metric(const SecondDerivatives& derivatives, const MetricRequest& request) const {
+    const Mesh& mesh = *derivatives.mesh;
+    if (!case_.goal) return metric_from_hessians(mesh, derivatives.absolute, request);
+    MetricRequest for_goal = request;
+    for_goal.measure = ErrorMeasure::Lp;
+    for_goal.options.norm = 1.0;
+    const HessianMetric goal = metric_from_hessians(mesh, derivatives.goal, for_goal);
+    if (!declares_norm_target(case_.targets)) return goal;
+    return intersected(mesh, goal, metric_from_hessians(mesh, derivatives.absolute, request), request);
   }
 
   // Complexity asked for per complexity that the vertices obtained stand for: boundary vertices make
@@ -228,7 +248,7 @@ class Loop {
 
 }  // namespace
 
-double target_excess(const Targets& targets, const ErrorNorms& error) {
+double target_excess(const Targets& targets, const ErrorNorms& error, double goal) {
   if (!declares_error_target(targets)) return error.l2;
   double excess = 0.0;
   const auto consider = [&excess](const std::optional<double>& target, double value, bool squared) {
@@ -240,12 +260,13 @@ double target_excess(const Targets& targets, const ErrorNorms& error) {
   consider(targets.l2_error, error.l2, false);
   consider(targets.linf_error, error.linf, false);
   consider(targets.h1_error, error.h1, true);
+  consider(targets.goal_error, goal, false);
   return excess;
 }
 
-bool declares_error_target(const Targets& targets) {
-  return targets.l2_error || targets.h1_error || targets.linf_error;
-}
+bool declares_error_target(const Targets& targets) { return declares_norm_target(targets) || targets.goal_error; }
+
+bool declares_norm_target(const Targets& targets) { return targets.l2_error || targets.h1_error || targets.linf_error; }
 
 ErrorMeasure error_measure(const Targets& targets) {
   const bool only_h1 = targets.h1_error && !targets.l2_error && !targets.linf_error;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -35,10 +36,15 @@ struct LoopResult {
 
 /// How far the errors are from the case's targets: the largest of error / target, squared for H1 so
 /// that it falls like 1 / vertices. Without error targets the L2 error itself. NaN counts as missed.
-double target_excess(const Targets& targets, const ErrorNorms& error);
+/// goal: the size of the goal's error.
+double target_excess(const Targets& targets, const ErrorNorms& error,
+                     double goal = std::numeric_limits<double>::quiet_NaN());
 
-/// Does the case declare an error target?
+/// Does the case declare an error target, of a norm or of a goal?
 bool declares_error_target(const Targets& targets);
+
+/// Does it declare one of a norm?
+bool declares_norm_target(const Targets& targets);
 
 /// The error that metrics are to make small: H1 where the case's only error target is an H1 error.
 ErrorMeasure error_measure(const Targets& targets);

@@ -53,7 +53,6 @@ void refuse_unsupported(CaseReading& reading) {
     return root.contains(section) && root[section].is_object() && root[section].contains(key);
   };
   if (has("geometry", "curves")) refuse("geometry", "curves", "curves are not supported yet; give a polygon");
-  if (has("targets", "goal_error")) refuse("targets", "goal_error", "goal targets are not supported yet");
 }
 
 void read_parameter(CaseReading& reading, const std::string& name, Json& value) {

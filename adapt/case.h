@@ -35,6 +35,7 @@ struct MetricOptions {
 /// What the loop tries to reach and when it gives up. Absent ones are not looked at.
 struct Targets {
   std::optional<double> l2_error, h1_error, linf_error;
+  std::optional<double> goal_error;          // of Case::goal
   std::optional<std::int64_t> vertices;      // aim at this size
   std::optional<std::int64_t> max_vertices;  // never ask for more
   int max_iterations = 20;
@@ -49,6 +50,7 @@ struct CaseFunctional {
   std::string where;                 // name of a region or a label, "*" for the whole domain
   std::optional<Expression> weight;  // of integrals
   Point point;                       // of a value
+  std::optional<double> exact;       // its value for the exact solution, where the case knows it
 };
 
 /// Pass limit on a field of the last iteration in summary.json.
@@ -73,6 +75,7 @@ struct Case {
   std::shared_ptr<const GivenField> given;  // in place of exact: the function to interpolate, from a file
   Problem problem;                          // empty when interpolation
   std::vector<CaseFunctional> functionals;
+  std::optional<CaseFunctional> goal;  // the functional that meshes are made for, with its error estimated
   MetricOptions metric;
   Targets targets;
   GenerateOptions mesher;

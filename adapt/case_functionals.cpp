@@ -52,6 +52,7 @@ CaseFunctional read_functional(CaseReading& reading, const CaseGeometry* geometr
     result.kind = Kind::Value;
     result.point = {value["value"][0].get<double>(), value["value"][1].get<double>()};
   }
+  if (value.contains("exact")) result.exact = value["exact"].get<double>();
   if (!value.contains("weight")) return result;
   if (result.kind == Kind::Flux || result.kind == Kind::Value) {
     reading.issues.add(pointer + "/weight", "is for 'integral' and 'boundary_integral' only");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -6,6 +7,8 @@
 
 #include "adapt/case_reading.h"
 #include "adapt/decimal.h"
+#include "adapt/json_text.h"
+#include "adapt/nearest_name.h"
 
 namespace parmesan {
 namespace {
@@ -109,11 +112,41 @@ void read_metric(CaseReading& reading, Json& section, Case& result) {
   }
 }
 
+std::vector<std::string> names_of(const std::vector<CaseFunctional>& functionals) {
+  std::vector<std::string> names;
+  for (const CaseFunctional& functional : functionals) names.push_back(functional.name);
+  return names;
+}
+
+// The functional that targets.goal names; the only one where a goal_error is given without a name.
+void read_goal(CaseReading& reading, const Json& section, Case& result) {
+  if (!section.contains("goal") && !section.contains("goal_error")) return;
+  const std::vector<std::string> names = names_of(result.functionals);
+  const std::string pointer = section.contains("goal") ? "/targets/goal" : "/targets/goal_error";
+  const std::string known = names.empty() ? "none" : quoted_list(names);
+  if (result.interpolation) {
+    return reading.issues.add(pointer, "a function that is interpolated has no goal; give an equation");
+  }
+  if (!reading.issues.clean("/functionals")) return;
+  if (!section.contains("goal") && names.size() != 1) {
+    return reading.issues.add(pointer, "needs 'goal', the name of a functional. There are: " + known);
+  }
+  const std::string name = section.value("goal", names.empty() ? "" : names.front());
+  const auto found = std::ranges::find(result.functionals, name, &CaseFunctional::name);
+  if (found == result.functionals.end()) {
+    const std::string hint = suggestion(name, names);
+    return reading.issues.add(pointer, "there is no functional '" + name.substr(0, 60) + "'" +
+                                           (hint.empty() ? "." : hint) + " There are: " + known);
+  }
+  result.goal = *found;
+}
+
 void read_targets(CaseReading& reading, const Json& section, Case& result) {
   Targets& targets = result.targets;
   targets.l2_error = optional_number(section, "l2_error");
   targets.h1_error = optional_number(section, "h1_error");
   targets.linf_error = optional_number(section, "linf_error");
+  targets.goal_error = optional_number(section, "goal_error");
   targets.vertices = optional_count(section, "vertices");
   targets.max_vertices = optional_count(section, "max_vertices");
   targets.max_iterations = static_cast<int>(section["max_iterations"].get<double>());
@@ -121,6 +154,7 @@ void read_targets(CaseReading& reading, const Json& section, Case& result) {
   if (targets.vertices && targets.max_vertices && *targets.vertices > *targets.max_vertices) {
     reading.issues.add("/targets/vertices", "must not be larger than 'max_vertices'");
   }
+  read_goal(reading, section, result);
 }
 
 template <class T, std::size_t N>
@@ -174,6 +208,10 @@ void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   const bool only_h1 = targets.h1_error && !targets.l2_error && !targets.linf_error;
   if (result.lower_error && result.metric.norm != 2.0) {
     reading.issues.add("/mesher/lower_error", "lowers the L2 error only: needs the norm 2 in metric.norm");
+  }
+  const bool only_goal = result.goal && !targets.l2_error && !targets.linf_error && !targets.h1_error;
+  if (result.lower_error && only_goal) {
+    reading.issues.add("/mesher/lower_error", "lowers the L2 error only: of no use to a goal alone");
   }
   if (result.lower_error && only_h1) {
     reading.issues.add("/mesher/lower_error", "lowers the L2 error only: of no use to the one target 'h1_error'");

@@ -182,7 +182,8 @@ constexpr const char* kSchema = R"schema({
         "boundary_integral": { "type": "string", "minLength": 1, "description": "of u over the sides of a label" },
         "flux": { "type": "string", "minLength": 1, "description": "integral of n.K grad u over the sides of a label" },
         "value": { "$ref": "#/$defs/point", "description": "u at a point" },
-        "weight": { "$ref": "#/$defs/scalar", "description": "a factor of u in an integral" }
+        "weight": { "$ref": "#/$defs/scalar", "description": "a factor of u in an integral" },
+        "exact": { "$ref": "#/$defs/constant", "description": "its value for the exact solution, where known" }
       }
     },
     "condition": {
@@ -237,6 +238,9 @@ constexpr const char* kSchema = R"schema({
         "l2_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
         "h1_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
         "linf_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
+        "goal_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "description": "of the functional 'goal'" },
+        "goal": { "type": "string", "minLength": 1,
+                  "description": "the functional that meshes are made for; needed where there are several" },
         "vertices": { "type": "integer", "minimum": 3, "description": "aim at this size" },
         "max_vertices": { "type": "integer", "minimum": 3, "description": "never ask for more" },
         "max_iterations": { "type": "integer", "minimum": 1, "maximum": 10000, "default": 20 },
@@ -312,6 +316,7 @@ constexpr const char* kSchema = R"schema({
         "targets_met", "iteration", "vertices", "triangles", "complexity", "efficiency", "unit_edges",
         "interpolation_error.l1", "interpolation_error.l2", "interpolation_error.linf", "interpolation_error.h1",
         "solution_error.l2", "solution_error.linf", "solution_error.h1", "estimated_error.l2", "estimated_error.h1",
+        "goal.value", "goal.estimate", "goal.error", "goal.effectivity",
         "edge_length.min", "edge_length.max", "quality.min", "quality.p01", "quality.mean",
         "quality.min_away_from_corners", "functionals", "fluxes", "bounds.lower", "bounds.upper", "bounds.overshoot",
         "bounds.undershoot", "solver.backward_error", "solver.unknowns", "solver.iterations", "solver.peclet_min",

@@ -77,7 +77,7 @@ void fields(Archive& archive, SolveReport& r) {
 
 template <class Archive>
 void fields(Archive& archive, Iterate& i) {
-  archive(i.mesh, i.relaxed, i.metrics, i.values, i.complexity, i.clipped, i.report, i.solve_report, i.fluxes,
+  archive(i.mesh, i.relaxed, i.metrics, i.values, i.dual, i.complexity, i.clipped, i.report, i.solve_report, i.fluxes,
           i.seconds);
 }
 
@@ -107,11 +107,21 @@ void fields(Archive& archive, WorstElement& w) {
 }
 
 template <class Archive>
+void fields(Archive& archive, GoalError& e) {
+  archive(e.error, e.magnitude);
+}
+
+template <class Archive>
+void fields(Archive& archive, GoalRow& g) {
+  archive(g.value, g.estimate, g.error);
+}
+
+template <class Archive>
 void fields(Archive& archive, IterationRow& r) {
   archive(r.iteration, r.vertices, r.triangles, r.complexity, r.clipped, r.interpolation_error, r.efficiency,
-          r.solution_error, r.estimated_error, r.solve_report, r.fluxes, r.functionals, r.unit_edges, r.length_min,
-          r.length_max, r.quality_min, r.quality_p01, r.quality_mean, r.quality_min_away_from_corners, r.worst,
-          r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
+          r.solution_error, r.estimated_error, r.goal, r.solve_report, r.fluxes, r.functionals, r.unit_edges,
+          r.length_min, r.length_max, r.quality_min, r.quality_p01, r.quality_mean, r.quality_min_away_from_corners,
+          r.worst, r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
 }
 
 template <class Archive>
@@ -130,7 +140,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Bytes in another order or another layout of the fields have another number here.
-constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'02;
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'03;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
 
 void check_indices(const Mesh& mesh) {
@@ -146,10 +156,10 @@ void check(const LoopState& state) {
   check_indices(last.mesh);
   if (last.relaxed) check_indices(*last.relaxed);
   const std::size_t n = last.mesh.points.size();
-  const bool agrees = last.metrics.size() == n && last.values.size() == n &&
-                      last.mesh.regions.size() == last.mesh.triangles.size() &&
-                      last.mesh.labels.size() == last.mesh.edges.size() && !state.history.empty() &&
-                      state.history.size() == state.summary.iterations.size();
+  const bool agrees =
+      last.metrics.size() == n && last.values.size() == n && (last.dual.empty() || last.dual.size() == n) &&
+      last.mesh.regions.size() == last.mesh.triangles.size() && last.mesh.labels.size() == last.mesh.edges.size() &&
+      !state.history.empty() && state.history.size() == state.summary.iterations.size();
   if (!agrees) throw InputError("contradicts itself");
 }
 

@@ -28,6 +28,11 @@ CompareRow row_of(MeshFamily family, const IterationRow& measured, std::span<con
   row.triangles = measured.triangles;
   row.efficiency = measured.efficiency;
   row.cpu_seconds = cpu_seconds;
+  if (measured.goal) {
+    row.goal_value = measured.goal->value;
+    row.goal_estimate = measured.goal->estimate.error;
+    row.goal_error = measured.goal->error;
+  }
   if (measured.solution_error) {
     row.solution_l2 = measured.solution_error->l2;
     row.solution_h1 = measured.solution_error->h1;

@@ -37,6 +37,16 @@ std::string order_text(const OrderFit& fit) {
   return short_number(fit.order, 3) + (fit.num_points > 2 ? " +- " + short_number(fit.uncertainty, 1) : "");
 }
 
+std::string goals(const CompareResult& result) {
+  std::string text = "\ngoal: value, estimated error" + std::string(result.rows[0].goal_error ? ", error" : "") + "\n";
+  for (const CompareRow& row : result.rows) {
+    text += "  " + std::string(to_string(row.family)) + padded(std::to_string(row.vertices), 10) + ": " +
+            cell(row.goal_value, 8) + ", " + cell(row.goal_estimate, 3);
+    text += (row.goal_error ? ", " + cell(row.goal_error, 3) : "") + "\n";
+  }
+  return text;
+}
+
 // Why a family has no order, or fewer points than meshes.
 std::string round_off_text(const CompareResult& result, MeshFamily family) {
   const auto concerned = [family](const CompareRow& row) { return row.family == family && row.at_round_off; };
@@ -101,6 +111,10 @@ Json row_json(const CompareRow& row) {
   j["solution_error"] = {{"l2", number(row.solution_l2)}, {"h1", number(row.solution_h1)}};
   j["interpolation_error"] = {{"l2", number(row.interpolation_l2)}, {"h1", number(row.interpolation_h1)}};
   j["estimated_error"] = {{"l2", number(row.estimated_l2)}, {"h1", number(row.estimated_h1)}};
+  if (row.goal_value) {
+    j["goal"] = {
+        {"value", number(row.goal_value)}, {"estimate", number(row.goal_estimate)}, {"error", number(row.goal_error)}};
+  }
   j["efficiency"] = number(row.efficiency);
   j["at_round_off"] = row.at_round_off;
   j["cpu_seconds"] = number(row.cpu_seconds);
@@ -132,6 +146,7 @@ std::string compare_table(const CompareResult& result) {
   std::string text = line({"mesh", "vertices", estimated ? "est. L2" : "solution L2", "interp. L2",
                            estimated ? "est. H1" : "solution H1", "interp. H1", "efficiency", "CPU s"});
   for (const CompareRow& row : result.rows) text += row_line(row);
+  if (!result.rows.empty() && result.rows[0].goal_value) text += goals(result);
   if (result.l2_orders.size() == families.size()) text += orders(result);
   if (!result.equivalents.empty()) text += equivalents(result);
   return text;
@@ -140,13 +155,13 @@ std::string compare_table(const CompareResult& result) {
 std::string compare_csv(const CompareResult& result) {
   std::string text =
       "family,vertices,triangles,solution_l2,solution_h1,interpolation_l2,interpolation_h1,estimated_l2,estimated_h1,"
-      "efficiency,cpu_seconds\n";
+      "goal_value,goal_estimate,goal_error,efficiency,cpu_seconds\n";
   for (const CompareRow& row : result.rows) {
     text +=
         std::string(to_string(row.family)) + "," + std::to_string(row.vertices) + "," + std::to_string(row.triangles);
-    for (const std::optional<double>& x :
-         {row.solution_l2, row.solution_h1, row.interpolation_l2, row.interpolation_h1, row.estimated_l2,
-          row.estimated_h1, row.efficiency, std::optional<double>(row.cpu_seconds)}) {
+    for (const std::optional<double>& x : {row.solution_l2, row.solution_h1, row.interpolation_l2, row.interpolation_h1,
+                                           row.estimated_l2, row.estimated_h1, row.goal_value, row.goal_estimate,
+                                           row.goal_error, row.efficiency, std::optional<double>(row.cpu_seconds)}) {
       text += ",";
       if (x && std::isfinite(*x)) text += number(x).dump();
     }

@@ -1,49 +1,121 @@
 #include "adapt/functional_value.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "adapt/case_equation.h"
-#include "fem/functionals.h"
+#include "fem/boundary_conditions.h"
+#include "fem/coefficients.h"
+#include "fem/load.h"
+#include "fem/side_integrals.h"
 
 namespace parmesan {
 namespace {
 
-double weight_at(const CaseFunctional& functional, const Point& p) {
-  if (!functional.weight) return 1.0;
-  return CheckedExpression(*functional.weight, "/functionals/" + functional.name + "/weight").value(p);
+using Kind = CaseFunctional::Kind;
+
+/// The weight as a function of the point, 1 where the functional has none.
+std::function<double(const Point&)> weight_of(const CaseFunctional& functional) {
+  if (!functional.weight) return [](const Point&) { return 1.0; };
+  const CheckedExpression weight(*functional.weight, "/functionals/" + functional.name + "/weight");
+  return [weight](const Point& p) { return weight.value(p); };
 }
 
-double integral(const CaseFunctional& functional, const Mesh& mesh, std::span<const double> values) {
-  const auto weight = [&](const Point& p, int region) {
-    const bool inside = functional.where == "*" || label_name(mesh.region_names, region) == functional.where;
-    return inside ? weight_at(functional, p) : 0.0;
+std::set<int> labels_named(const Mesh& mesh, const std::string& name) {
+  std::set<int> labels(mesh.labels.begin(), mesh.labels.end());
+  if (name != "*") std::erase_if(labels, [&](int label) { return label_name(mesh.label_names, label) != name; });
+  return labels;
+}
+
+// The sum of the moments of u times the density.
+double density_integral(const Mesh& mesh, const GoalFunctional& goal, const Expression& u) {
+  Problem problem;
+  problem.source = [&](const Point& p, int region) {
+    const double weight = goal.density(p, region);
+    return weight == 0.0 ? 0.0 : weight * u.value(p);
   };
-  return value_of(region_integral(mesh, weight), values);
+  double sum = 0.0;
+  for (const auto& [a, b, c] : source_moments(mesh, problem, accurate_load)) sum += a + b + c;
+  return sum;
 }
 
-double boundary(const CaseFunctional& functional, const Mesh& mesh, std::span<const double> values,
-                const std::map<int, double>& fluxes) {
+double side_integral(const Mesh& mesh, int label, const BoundaryData& g) {
   double sum = 0.0;
-  const auto weight = [&](const Point& p, const Vector&, int) { return weight_at(functional, p); };
+  for (const Side& side : labelled_sides(mesh)) {
+    if (side.label != label) continue;
+    const SideMoments moments = side_moments(mesh, side, g);
+    sum += moments.from + moments.to;
+  }
+  return sum;
+}
+
+bool is_inside(const Mesh& mesh, int label) {
   const std::vector<Side> sides = labelled_sides(mesh);
-  for (const int label : std::set<int>(mesh.labels.begin(), mesh.labels.end())) {
-    if (functional.where != "*" && functional.where != label_name(mesh.label_names, label)) continue;
-    if (functional.kind == CaseFunctional::Kind::BoundaryIntegral) {
-      sum += value_of(boundary_integral(mesh, sides, label, weight), values);
-    } else if (fluxes.contains(label)) {
-      sum += fluxes.at(label);
-    }
+  return std::ranges::any_of(sides, [label](const Side& side) { return side.label == label && side.interior; });
+}
+
+double of_exact(const Problem& problem, const GoalFunctional& goal, const Mesh& mesh, const Expression& u) {
+  double sum = goal.density ? density_integral(mesh, goal, u) : 0.0;
+  for (const PointSource& point : goal.points) sum += point.strength * u.value(point.place);
+  for (const auto& [label, weight] : goal.sides) {
+    sum += side_integral(mesh, label, [&u, &weight = weight](const Point& p, const Vector& n, int region) {
+      return weight(p, n, region) * u.value(p);
+    });
+  }
+  for (const int label : goal.fluxes) {
+    if (is_inside(mesh, label)) return std::nan("");  // the flux from both sides
+    sum += side_integral(mesh, label, [&](const Point& p, const Vector& n, int region) {
+      const Jet jet = u.jet(p);
+      return dot(n, diffusion_at(problem, p, region) * Vector{jet.x, jet.y});
+    });
   }
   return sum;
 }
 
 }  // namespace
 
+GoalFunctional goal_functional(const CaseFunctional& functional, const Mesh& mesh) {
+  GoalFunctional goal;
+  if (functional.kind == Kind::Value) goal.points.push_back({functional.point, 1.0});
+  if (functional.kind == Kind::Integral) {
+    goal.density = [weight = weight_of(functional), where = functional.where, names = mesh.region_names](const Point& p,
+                                                                                                         int region) {
+      const bool inside = where == "*" || label_name(names, region) == where;
+      return inside ? weight(p) : 0.0;
+    };
+  }
+  if (functional.kind == Kind::BoundaryIntegral) {
+    for (const int label : labels_named(mesh, functional.where)) {
+      goal.sides[label] = [weight = weight_of(functional)](const Point& p, const Vector&, int) { return weight(p); };
+    }
+  }
+  if (functional.kind == Kind::Flux) goal.fluxes = labels_named(mesh, functional.where);
+  return goal;
+}
+
 double evaluate(const CaseFunctional& functional, const Mesh& mesh, std::span<const double> values,
                 const std::map<int, double>& fluxes) {
-  if (functional.kind == CaseFunctional::Kind::Value) return value_of(point_value(mesh, functional.point), values);
-  if (functional.kind == CaseFunctional::Kind::Integral) return integral(functional, mesh, values);
-  return boundary(functional, mesh, values, fluxes);
+  const GoalFunctional goal = goal_functional(functional, mesh);
+  double sum = value_of(functional_vector(mesh, goal), values);
+  for (const int label : goal.fluxes) {
+    if (fluxes.contains(label)) sum += fluxes.at(label);
+  }
+  return sum;
+}
+
+std::optional<double> exact_value(const Case& input, const CaseFunctional& functional, const Mesh& mesh) {
+  if (functional.exact) return functional.exact;
+  if (!input.exact) return std::nullopt;
+  try {
+    const double value = of_exact(input.problem, goal_functional(functional, mesh), mesh, *input.exact);
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  } catch (const ProblemError&) {
+    return std::nullopt;  // singular where it would have to be integrated
+  }
 }
 
 }  // namespace parmesan

@@ -118,6 +118,19 @@ Clipped graded(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, 
   return clipped;
 }
 
+// Limits, gradation and complexity.
+HessianMetric of_shapes(const Mesh& mesh, std::span<const Eigen2> shapes, const MetricRequest& request) {
+  const Limits limits{size_limits(mesh, request.options), request.options.gradation};
+  HessianMetric result;
+  double factor = 1.0;
+  Gradation last = rescaled(mesh, shapes, request.complexity, limits, factor);
+  result.metrics = std::move(last.metrics);
+  result.complexity = complexity(mesh, result.metrics);
+  result.clipped = clipped_sizes(mesh, multiplied(shapes, factor), limits.sizes);
+  if (limits.gradation > 1.0) result.clipped.gradation = graded(mesh, shapes, factor, limits, result.metrics);
+  return result;
+}
+
 }  // namespace
 
 double complexity(const Mesh& mesh, std::span<const Metric> metrics) {
@@ -176,19 +189,23 @@ SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, co
 HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHessian> hessians,
                                    const MetricRequest& request) {
   if (hessians.size() != mesh.points.size()) throw InputError("a metric needs one Hessian per vertex");
-  const Limits limits{size_limits(mesh, request.options), request.options.gradation};
-  HessianMetric result;
-  result.floor = eigenvalue_floor(mesh, hessians, request);
+  const double floor = eigenvalue_floor(mesh, hessians, request);
   std::vector<Eigen2> shapes;
   shapes.reserve(hessians.size());
-  for (const AbsoluteHessian& h : hessians) shapes.push_back(scaled_eigen(h, result.floor, request));
-  double factor = 1.0;
-  Gradation last = rescaled(mesh, shapes, request.complexity, limits, factor);
-  result.metrics = std::move(last.metrics);
-  result.complexity = complexity(mesh, result.metrics);
-  result.clipped = clipped_sizes(mesh, multiplied(shapes, factor), limits.sizes);
-  if (limits.gradation > 1.0) result.clipped.gradation = graded(mesh, shapes, factor, limits, result.metrics);
+  for (const AbsoluteHessian& h : hessians) shapes.push_back(scaled_eigen(h, floor, request));
+  HessianMetric result = of_shapes(mesh, shapes, request);
+  result.floor = floor;
   return result;
+}
+
+HessianMetric intersected(const Mesh& mesh, const HessianMetric& a, const HessianMetric& b,
+                          const MetricRequest& request) {
+  std::vector<Eigen2> shapes;
+  shapes.reserve(a.metrics.size());
+  for (std::size_t v = 0; v < a.metrics.size(); ++v) {
+    shapes.push_back(eigen_decomposition(intersect(a.metrics[v], b.metrics[v]).tensor()));
+  }
+  return of_shapes(mesh, shapes, request);
 }
 
 }  // namespace parmesan

@@ -59,4 +59,9 @@ SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, co
 HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHessian> hessians,
                                    const MetricRequest& request);
 
+/// The metric that satisfies two, each of the request's complexity, with the limits and the complexity of the request
+/// once more. Errors: as metric_from_hessians.
+HessianMetric intersected(const Mesh& mesh, const HessianMetric& a, const HessianMetric& b,
+                          const MetricRequest& request);
+
 }  // namespace parmesan

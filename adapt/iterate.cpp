@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,9 +10,12 @@
 #include <utility>
 
 #include "adapt/functional_value.h"
+#include "adapt/goal_error.h"
+#include "adapt/goal_metric.h"
 #include "adapt/nodal_values.h"
 #include "adapt/stopwatch.h"
 #include "adapt/transfer.h"
+#include "fem/dual.h"
 #include "mesher/cracks.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/tensor_interpolant.h"
@@ -72,6 +76,15 @@ void measure_errors(const Case& input, const Iterate& iterate, const std::option
   row.interpolation_error = error_norms(iterate.mesh, nodal, exact);
   if (!input.interpolation) row.solution_error = error_norms(iterate.mesh, iterate.values, exact);
   if (limit) row.efficiency = efficiency(row.interpolation_error->l2, iterate.mesh.num_triangles(), *limit);
+}
+
+GoalRow goal_row(const Case& input, const Iterate& iterate) {
+  GoalRow row;
+  const GoalFunctional functional = goal_functional(*input.goal, iterate.mesh);
+  row.value = evaluate(*input.goal, iterate.mesh, iterate.values, iterate.fluxes);
+  row.estimate = estimate_goal_error(iterate.mesh, input.problem, functional, iterate.values, iterate.dual);
+  if (const auto exact = exact_value(input, *input.goal, iterate.mesh)) row.error = *exact - row.value;
+  return row;
 }
 
 /// The fluxes by the names of their labels, added up where several have one name.
@@ -153,6 +166,7 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
     iterate.values = std::move(solution.values);
     iterate.fluxes = std::move(solution.fluxes);
     iterate.solve_report = std::move(solution.report);
+    if (input.goal) iterate.dual = solve_dual(iterate.mesh, input.problem, goal_functional(*input.goal, iterate.mesh));
   }
   iterate.seconds.solve = watch.seconds();
   iterate.seconds.cpu += watch.cpu_seconds();
@@ -170,6 +184,10 @@ SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) 
     result.absolute = absolute_hessians(*result.mesh, recovered);
     if (input.lower_error)
       result.signed_field = std::make_unique<TensorInterpolant>(*result.mesh, symmetric_tensors(recovered));
+  }
+  if (input.goal) {
+    const std::vector<Hessian> dual = recover_hessians(iterate.mesh, iterate.dual, input.metric.recovery);
+    result.goal = goal_tensors(iterate.mesh, input.problem, result.absolute, absolute_hessians(iterate.mesh, dual));
   }
   return result;
 }
@@ -191,6 +209,7 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
   for (const CaseFunctional& functional : input.functionals) {
     row.functionals[functional.name] = evaluate(functional, iterate.mesh, iterate.values, iterate.fluxes);
   }
+  if (input.goal) row.goal = goal_row(input, iterate);
   measure_errors(input, iterate, limit, row);
   set_quality(row, iterate.mesh, measure_quality(iterate.mesh, iterate.metrics));
   iterate.seconds.measure = watch.seconds();
@@ -210,6 +229,14 @@ ErrorNorms targeted_error(const Case& input, const IterationRow& row) {
     estimated.linf = row.estimated_error->linf;
   }
   return estimated;
+}
+
+double targeted_goal_error(const IterationRow& row) {
+  constexpr double least_share = 0.25;
+  if (!row.goal) return std::numeric_limits<double>::quiet_NaN();
+  const GoalError& estimate = row.goal->estimate;
+  if (row.goal->error) return std::abs(*row.goal->error);
+  return std::max(std::abs(estimate.error), least_share * estimate.magnitude);
 }
 
 }  // namespace parmesan

@@ -26,6 +26,7 @@ struct Iterate {
   std::optional<Mesh> relaxed;  // where it differs: the mesh before its error was lowered, the start of the next
   std::vector<Metric> metrics;  // asked of the mesher, re-evaluated at the vertices of the mesh
   std::vector<double> values;   // nodal values of the solution, or of the interpolant
+  std::vector<double> dual;     // those of the dual solution, empty without a goal
   double complexity = 0.0;      // of the metric asked for
   ClippedSizes clipped;         // by its limits
   GenerateReport report;        // of the mesher
@@ -47,8 +48,8 @@ Iterate uniform_iterate(const Case& input, double vertices);
 Iterate remesh(const Case& input, const Iterate& previous, const Mesh& background, const HessianMetric& metric,
                const TensorField* hessian);
 
-/// Solves on the mesh of the iterate (or interpolates). previous: where an iterative solver's first
-/// guess is taken from, may be null. Errors: as solve.
+/// Solves on the mesh of the iterate (or interpolates), the dual problem too where the case has a goal. previous: where
+/// an iterative solver's first guess is taken from, may be null. Errors: as solve.
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous);
 
 /// Second derivatives, recovered from the discrete or the given function or those of the exact one, as the case asks.
@@ -56,6 +57,7 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
 struct SecondDerivatives {
   const Mesh* mesh = nullptr;                 // where they are known: of the iterate, or of a given field
   std::vector<AbsoluteHessian> absolute;      // one per vertex, for metrics
+  std::vector<AbsoluteHessian> goal;          // the tensors for the goal's error, where the case has one
   std::unique_ptr<TensorField> signed_field;  // where the case wants the error lowered, else null
 };
 SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate);
@@ -72,5 +74,10 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
 /// estimate for a PDE without exact solution, of the interpolant for interpolation. l1 of an
 /// estimate is NaN.
 ErrorNorms targeted_error(const Case& input, const IterationRow& row);
+
+/// The size of the goal's error that targets.goal_error is about: the error itself where the goal's value is known,
+/// else the estimate, but a quarter of its magnitude at least: parts that cancel out by more are chance. NaN without a
+/// goal.
+double targeted_goal_error(const IterationRow& row);
 
 }  // namespace parmesan

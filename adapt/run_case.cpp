@@ -28,6 +28,10 @@ std::string progress_line(const Case& input, const IterationRow& row) {
   std::string line = padded(std::to_string(row.iteration), 3) + padded(std::to_string(row.vertices), 9) +
                      " vertices  " + (estimated ? "estimated L2 " : "L2 ") + short_number(error.l2, 3) + "  H1 " +
                      short_number(error.h1, 3);
+  if (row.goal) {
+    line +=
+        "  goal " + short_number(row.goal->value, 6) + " (error ~" + short_number(row.goal->estimate.error, 2) + ")";
+  }
   if (row.efficiency) line += "  efficiency " + short_number(*row.efficiency, 3);
   line += "  unit edges " + short_number(100.0 * row.unit_edges, 3) + " %  quality " +
           short_number(row.quality_mean, 3) + " (min " + short_number(row.quality_min, 2) + ")  " +

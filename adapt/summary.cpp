@@ -33,6 +33,15 @@ Json effectivity(const std::optional<EstimatedError>& estimated, const std::opti
   return Json{{"l2", number(estimated->l2 / error->l2)}, {"h1", number(estimated->h1 / error->h1)}};
 }
 
+Json goal(const std::optional<GoalRow>& g) {
+  if (!g) return nullptr;
+  return Json{{"value", number(g->value)},
+              {"estimate", number(g->estimate.error)},
+              {"magnitude", number(g->estimate.magnitude)},
+              {"error", g->error ? number(*g->error) : Json(nullptr)},
+              {"effectivity", g->error ? number(g->estimate.error / *g->error) : Json(nullptr)}};
+}
+
 Json solver(const std::optional<SolveReport>& r) {
   if (!r) return nullptr;
   return Json{{"method", r->solver},
@@ -92,7 +101,7 @@ struct Column {
   const char* pointer;
 };
 
-constexpr std::array<Column, 36> columns{{
+constexpr std::array<Column, 39> columns{{
     {"iteration", "/iteration"},
     {"vertices", "/vertices"},
     {"triangles", "/triangles"},
@@ -112,6 +121,9 @@ constexpr std::array<Column, 36> columns{{
     {"effectivity_h1", "/effectivity/h1"},
     {"goal_value", "/goal/value"},
     {"goal_estimate", "/goal/estimate"},
+    {"goal_magnitude", "/goal/magnitude"},
+    {"goal_error", "/goal/error"},
+    {"goal_effectivity", "/goal/effectivity"},
     {"unit_edges", "/unit_edges"},
     {"edge_length_min", "/edge_length/min"},
     {"edge_length_max", "/edge_length/max"},
@@ -144,6 +156,8 @@ std::string_view to_string(StopReason reason) {
   switch (reason) {
     case StopReason::ErrorTarget:
       return "error_target";
+    case StopReason::GoalTarget:
+      return "goal_target";
     case StopReason::Vertices:
       return "vertices";
     case StopReason::VertexBudget:
@@ -196,7 +210,7 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["solution_error"] = norms(row.solution_error, false);
   j["estimated_error"] = estimate(row.estimated_error);
   j["effectivity"] = effectivity(row.estimated_error, row.solution_error);
-  j["goal"] = nullptr;
+  j["goal"] = goal(row.goal);
   j["solver"] = solver(row.solve_report);
   j["bounds"] = bounds(row.solve_report);
   j["fluxes"] = numbers(row.fluxes);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "adapt/goal_error.h"
 #include "fem/norms.h"
 #include "fem/recovery.h"
 #include "fem/solve.h"
@@ -18,9 +19,10 @@
 
 namespace parmesan {
 
-/// Why a run ended. Goal targets have no reason of their own yet.
+/// Why a run ended.
 enum class StopReason {
   ErrorTarget,    // all declared error targets met
+  GoalTarget,     // the same, the error of a functional among them
   Vertices,       // the size aimed at was reached and nothing else was declared
   VertexBudget,   // a larger mesh would exceed max_vertices
   TimeBudget,     // max_seconds are over
@@ -63,6 +65,13 @@ struct StageSeconds {
   double total() const { return mesh + solve + recover + measure; }
 };
 
+/// The functional that meshes are made for.
+struct GoalRow {
+  double value = 0.0;           // J(u_h)
+  GoalError estimate;           // of J(u) - J(u_h)
+  std::optional<double> error;  // J(u) - J(u_h), where J(u) is known
+};
+
 /// One row of the report: a mesh, what it is worth and what it cost. Absent values are null.
 struct IterationRow {
   int iteration = 0;
@@ -74,6 +83,7 @@ struct IterationRow {
   std::optional<double> efficiency;
   std::optional<ErrorNorms> solution_error;
   std::optional<EstimatedError> estimated_error;
+  std::optional<GoalRow> goal;                // absent without a goal
   std::optional<SolveReport> solve_report;    // absent for interpolation
   std::map<std::string, double> fluxes;       // out through the sides of each label
   std::map<std::string, double> functionals;  // those the case asks for

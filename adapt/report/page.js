@@ -28,6 +28,27 @@ function compareSeries(entry, norm, prefix, xOf = (r) => r.vertices) {
   return series.filter((s) => s.points.length > 0);
 }
 
+// The size of the goal's error, of each run or family of meshes that has a goal.
+function goalPlot(parent, entries) {
+  const sizes = (rows, of) => rows.map((r) => [r.vertices, of(r)]).filter(([, y]) => y).map(([x, y]) => [x, Math.abs(y)]);
+  const series = entries.flatMap((entry) => {
+    const prefix = entries.length > 1 ? `${entry.folder} ` : '';
+    const rows = entry.summary.iterations ?? entry.summary.rows;
+    const groups = entry.kind === 'run' ? [''] : [...new Set(rows.map((r) => r.family))];
+    return groups.flatMap((family) => {
+      const own = rows.filter((r) => r.goal && (!family || r.family === family));
+      const name = `${prefix}${family} `.trimStart();
+      return [{ name: `${name}error`, points: sizes(own, (r) => r.goal.error) },
+        { name: `${name}estimate`, dashed: true, points: sizes(own, (r) => r.goal.estimate) }];
+    });
+  }).filter((s) => s.points.length > 0);
+  if (series.length === 0) return;
+  const levels = entries.filter((e) => e.kind === 'run' && e.case.targets?.goal_error)
+    .map((e) => ({ name: `target ${shown(e.case.targets.goal_error)}`, y: e.case.targets.goal_error }));
+  logLogPlot(parent, { title: 'Goal error against vertices', xName: 'vertices', yName: 'error of the goal', series, levels,
+    slope: -1 });
+}
+
 function errorPlots(parent, entries) {
   const plots = element('div', { class: 'plots' });
   parent.append(plots);
@@ -38,6 +59,7 @@ function errorPlots(parent, entries) {
       .map((e) => ({ name: `${prefix(e)}target ${shown(e.case.targets[target])}`, y: e.case.targets[target] }));
     logLogPlot(plots, { title: `${name} against vertices`, xName: 'vertices', yName: name, series, levels, slope });
   }
+  goalPlot(plots, entries);
   const compared = entries.filter((e) => e.kind === 'compare');
   if (compared.length === 0) return;
   const series = compared.flatMap((e) => compareSeries(e, 'l2', compared.length > 1 ? `${e.folder} ` : '', (r) => r.cpu_seconds));
@@ -53,6 +75,12 @@ function verdict(summary) {
   const met = summary.targets_met ? 'Targets met.' : 'Targets not met.';
   return element('p', { class: summary.targets_met ? 'verdict met' : 'verdict missed' },
     `${met} It stopped because ${reason} (${summary.stop_reason}), after ${summary.iterations.length} iterations.`);
+}
+
+function goalTable(rows) {
+  return table('Goal', ['#', 'vertices', 'value', 'estimated error', 'error', 'effectivity'], rows.map((r) =>
+    [r.iteration ?? r.family, r.vertices, shown(r.goal.value, 8), shown(r.goal.estimate), shown(r.goal.error),
+      shown(r.goal.effectivity, 3)].map(String)));
 }
 
 function iterationTable(rows) {
@@ -84,6 +112,8 @@ function runSection(section, entry, number, colours) {
     histograms(section, entry.histograms);
   }
   section.append(iterationTable(entry.summary.iterations));
+  const withGoal = entry.summary.iterations.filter((r) => r.goal);
+  if (withGoal.length) section.append(goalTable(withGoal));
   columnPlot(section, { title: 'Wall time by stage', xName: 'iteration', yName: 'seconds', parts: stages,
     rows: entry.summary.iterations.map((r) => ({ name: String(r.iteration), values: stages.map((s) => r.seconds?.[s] ?? 0) })) });
 }
@@ -94,6 +124,8 @@ function compareSection(section, entry) {
     table('Meshes', ['mesh', 'vertices', 'triangles', 'L2', 'H1', 'L2 interp.', 'efficiency', 'CPU s'], rows.map((r) =>
       [r.family, String(r.vertices), String(r.triangles), shown(leading(r, 'l2')), shown(leading(r, 'h1')),
         shown(r.interpolation_error?.l2), shown(r.efficiency), shown(r.cpu_seconds, 3)])));
+  const withGoal = rows.filter((r) => r.goal);
+  if (withGoal.length) section.append(goalTable(withGoal));
   const order = (fit) => (fit ? shown(fit.order, 3) + (fit.points > 2 ? ` ± ${shown(fit.uncertainty, 1)}` : '') : '–');
   section.append(table('Orders fitted to error = c N^(−order)', ['mesh', 'L2', 'H1'],
     Object.entries(orders ?? {}).map(([family, fits]) => [family, order(fits.l2), order(fits.h1)])));

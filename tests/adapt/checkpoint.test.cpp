@@ -10,6 +10,7 @@
 #include "tests/adapt/loop_cases.h"
 
 using namespace parmesan;
+using support::goal_case;
 using support::interpolation_case;
 using support::poisson_case;
 using support::TemporaryFolder;
@@ -36,7 +37,8 @@ LoopState some_state() {
 TEST_CASE("a loop resumed after any row, through a checkpoint, ends bit by bit as it would have", "[adapt][resume]") {
   Case input = GENERATE(poisson_case("tanh(20*(x - y^2))", R"({"l2_error": 2e-3, "max_vertices": 3000})"),
                         interpolation_case("sin(6*x)*y^2", R"({"vertices": 900})"),
-                        interpolation_case("tanh(20*(x - y^2))", R"({"vertices": 500})"));
+                        interpolation_case("tanh(20*(x - y^2))", R"({"vertices": 500})"),
+                        goal_case(R"({"value": [0.3, 0.4]})", R"({"goal_error": 1e-3, "max_vertices": 600})"));
   input.lower_error = input.exact->text().starts_with("sin");  // then the mesh before is a part of the state
   LoopResult whole;
   for (const LoopState& state : states_of(input, whole)) {

@@ -25,6 +25,16 @@ inline Case poisson_case(const std::string& exact, const std::string& targets) {
                     "test.json");
 }
 
+/// The Poisson problem of a peak with one functional, "goal".
+inline Case goal_case(const std::string& functional, const std::string& targets) {
+  return parse_case(R"case({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+      "problem": {"exact": "exp(-50*((x - 0.5)^2 + (y - 0.5)^2))", "boundary": {"*": {"dirichlet": "exact"}}},
+      "functionals": {"goal": )case" +
+                        functional + R"(}, "targets": )" + targets +
+                        R"(, "initial": {"vertices": 100}, "mesher": {"preset": "fast"}})",
+                    "test.json");
+}
+
 /// A folder that is removed with everything in it.
 class TemporaryFolder {
  public:

@@ -43,6 +43,16 @@ void print_solve(std::ostream& out, const SolveReport& report) {
   if (report.overshoot() > 0.0) exceeds(report.overshoot(), "upper", *report.bounds.upper);
 }
 
+void print_goal(std::ostream& out, const GoalRow& goal) {
+  out << "goal:                " << format_number(goal.value, 8) << ", estimated error "
+      << format_number(goal.estimate.error);
+  if (goal.error) {
+    out << ", error " << format_number(*goal.error) << ", effectivity "
+        << format_number(goal.estimate.error / *goal.error);
+  }
+  out << "\n";
+}
+
 void print_row(std::ostream& out, const IterationRow& row) {
   out << "mesh:                " << row.vertices << " vertices, " << row.triangles << " triangles, "
       << format_number(100.0 * row.unit_edges) << " % unit edges, quality " << format_number(row.quality_mean)
@@ -53,6 +63,7 @@ void print_row(std::ostream& out, const IterationRow& row) {
     out << "estimated error:     L2 " << format_number(row.estimated_error->l2) << ", H1 "
         << format_number(row.estimated_error->h1) << ", max " << format_number(row.estimated_error->linf) << "\n";
   }
+  if (row.goal) print_goal(out, *row.goal);
   if (row.efficiency) out << "efficiency:          " << format_number(*row.efficiency) << "\n";
   if (row.solve_report) print_solve(out, *row.solve_report);
   print_named(out, "functionals:         ", row.functionals);

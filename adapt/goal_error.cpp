@@ -1,0 +1,122 @@
+#include "adapt/goal_error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "fem/adjacency.h"
+#include "fem/assembly.h"
+#include "fem/boundary_conditions.h"
+#include "fem/recovery.h"
+#include "mesher/triangulation/refine.h"
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// The red refinement of a mesh and the ends of the edge that each new vertex halves.
+struct Refinement {
+  Mesh mesh;
+  std::vector<std::array<int, 2>> ends;  // of vertex num_coarse + k
+};
+
+Refinement refined(const Mesh& coarse) {
+  Refinement result{refine_red(coarse), {}};
+  const Adjacency neighbours = vertex_neighbours(result.mesh);
+  const int num_coarse = coarse.num_vertices();
+  for (int m = num_coarse; m < result.mesh.num_vertices(); ++m) {
+    const std::span<const int> near = neighbours.of(m);
+    std::array<int, 2> ends{-1, -1};
+    for (auto a = near.begin(); a != near.end() && *a < num_coarse; ++a) {
+      for (auto b = a + 1; b != near.end() && *b < num_coarse; ++b) {
+        if (midpoint(coarse.points[at(*a)], coarse.points[at(*b)]) == result.mesh.points[at(m)]) ends = {*a, *b};
+      }
+    }
+    result.ends.push_back(ends);
+  }
+  return result;
+}
+
+std::vector<double> prolonged(const Refinement& fine, std::span<const double> values) {
+  std::vector<double> result(values.begin(), values.end());
+  for (const auto& [a, b] : fine.ends) result.push_back(0.5 * (values[at(a)] + values[at(b)]));
+  return result;
+}
+
+/// The equations of all vertices, conditions included.
+AssembledSystem equations(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
+  AssembledSystem system = assemble(mesh, problem);
+  add_flux_conditions(mesh, problem, sides, system);
+  return system;
+}
+
+/// r_h(z_h): zero but for fluxes through Dirichlet sides.
+double discrete_residual(const Mesh& mesh, const Problem& problem, std::span<const double> values,
+                         std::span<const double> dual) {
+  const AssembledSystem system = equations(mesh, problem, labelled_sides(mesh));
+  return vector_of(dual).dot(system.load - system.matrix * vector_of(values));
+}
+
+/// At the new vertices: what the dual is more there than half-way between its values at the ends.
+std::vector<double> surplus(const Mesh& coarse, const Refinement& fine, std::span<const double> dual,
+                            const FixedVertices& fixed) {
+  const std::vector<Vector> gradients = recover_gradients(coarse, dual);
+  std::vector<double> result(fine.mesh.points.size(), 0.0);
+  for (std::size_t k = 0; k < fine.ends.size(); ++k) {
+    const auto [a, b] = fine.ends[k];
+    const Vector edge = coarse.points[at(b)] - coarse.points[at(a)];
+    const std::size_t m = coarse.points.size() + k;
+    if (!fixed.fixed[m]) result[m] = dot(gradients[at(a)] - gradients[at(b)], edge) / 8.0;
+  }
+  return result;
+}
+
+/// J(phi_i) - a(phi_i, z) of the fine hat functions; zeros where u is exact on all Dirichlet sides.
+std::vector<double> dual_residual(const Mesh& mesh, const GoalFunctional& goal, const AssembledSystem& system,
+                                  std::span<const double> z, const FixedVertices& fixed, std::span<const double> u) {
+  std::vector<double> result(u.size(), 0.0);
+  bool is_exact = true;
+  for (std::size_t v = 0; v < u.size(); ++v) is_exact = is_exact && (!fixed.fixed[v] || fixed.values[v] == u[v]);
+  if (is_exact) return result;
+  const Functional functional = functional_vector(mesh, goal);
+  Eigen::Map<Eigen::VectorXd>(result.data(), static_cast<Eigen::Index>(result.size())) =
+      vector_of(functional) - system.matrix.transpose() * vector_of(z);
+  return result;
+}
+
+}  // namespace
+
+GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
+                              std::span<const double> values, std::span<const double> dual) {
+  constexpr double of_parabolas = 4.0 / 3.0;
+  const Refinement fine = refined(mesh);
+  const std::vector<Side> sides = labelled_sides(fine.mesh);
+  Problem unstabilized = problem;
+  unstabilized.stabilize = false;
+  const AssembledSystem system = equations(fine.mesh, unstabilized, sides);
+  const FixedVertices fixed = dirichlet_values(fine.mesh, problem, sides);
+  const std::vector<double> u = prolonged(fine, values);
+  std::vector<double> z = prolonged(fine, dual);
+  const std::vector<double> above = surplus(mesh, fine, dual, fixed);
+  const Eigen::VectorXd residual = system.load - system.matrix * vector_of(u);
+  GoalError result;
+  result.error = vector_of(z).dot(residual) - discrete_residual(mesh, problem, values, dual);
+  for (std::size_t v = 0; v < z.size(); ++v) z[v] += above[v];
+  const std::vector<double> weights = dual_residual(fine.mesh, goal, system, z, fixed, u);
+  result.magnitude = std::abs(result.error);
+  for (std::size_t m = values.size(); m < u.size(); ++m) {
+    const auto row = static_cast<Eigen::Index>(m);
+    const double part = fixed.fixed[m] ? (fixed.values[m] - u[m]) * weights[m] : above[m] * residual[row];
+    result.error += of_parabolas * part;
+    result.magnitude += of_parabolas * std::abs(part);
+  }
+  return result;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+
+#include "fem/functionals.h"
+#include "fem/problem.h"
+#include "mesher/mesh.h"
+
+namespace parmesan {
+
+/// What the dual solution tells of the error of a functional.
+struct GoalError {
+  double error = 0.0;      // estimate of J(u) - J(u_h), with its sign
+  double magnitude = 0.0;  // the sum of the sizes of its parts, which do not cancel out
+};
+
+/// Dual-weighted residual (Becker & Rannacher, Acta Numer. 10 (2001) 1): with r(v) = F(v) - a(u_h, v) without SUPG,
+/// r_h and z_h those of the discrete problem,
+///
+///     J(u) - J(u_h) = r(z) - r_h(z_h) + sum over Dirichlet sides of (u - u_h) (J - a(., z)).
+///
+/// z is z_h and, at the middle m of each edge e = x_j - x_i, the difference to the cubic that has the recovered
+/// gradients g of z_h at its ends, (g_i - g_j).e / 8. Residuals are those of the mesh that red refinement makes, and
+/// what they give at new vertices is multiplied by 4/3: there hat functions have 3/4 of the integrals of the parabolas
+/// they stand for, over triangles and edges alike.
+///
+/// Where z itself is singular (values at points, the flux through one of two sides with u given that meet in a corner)
+/// the estimate has the right size only.
+///
+/// values, dual: nodal values of u_h and z_h. Errors: as solve. Cost: O(n), that of assembling on 4 n triangles.
+GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
+                              std::span<const double> values, std::span<const double> dual);
+
+}  // namespace parmesan
