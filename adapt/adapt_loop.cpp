@@ -22,6 +22,7 @@ SizeGoal size_goal(const Targets& targets) {
   SizeGoal goal;
   goal.error_targets = declares_error_target(targets);
   if (targets.vertices) goal.vertices = static_cast<double>(*targets.vertices);
+  if (!targets.max_seconds) goal.max_passes = targets.max_iterations;
   if (targets.max_vertices) goal.cap = cap_margin * static_cast<double>(*targets.max_vertices);
   if (goal.vertices && (goal.error_targets || (goal.cap && *goal.cap < *goal.vertices))) {
     goal.cap = std::min(goal.cap.value_or(HUGE_VAL), *goal.vertices);
@@ -147,7 +148,10 @@ class Loop {
 
   SizeDecision decide() const {
     SizeDecision decision = next_size(state_.history, goal_);
-    if (!decision.stop) decision.stop = budget_spent();
+    if (decision.stop) return decision;
+    decision.stop = budget_spent();
+    const bool is_met = goal_.error_targets && state_.history.back().error <= 1.0;
+    if (decision.stop && is_met && *decision.stop != StopReason::Interrupted) decision.stop = StopReason::ErrorTarget;
     return decision;
   }
 

@@ -24,9 +24,6 @@ struct GoalError {
 /// what they give at new vertices is multiplied by 4/3: there hat functions have 3/4 of the integrals of the parabolas
 /// they stand for, over triangles and edges alike.
 ///
-/// Where z itself is singular (values at points, the flux through one of two sides with u given that meet in a corner)
-/// the estimate has the right size only.
-///
 /// values, dual: nodal values of u_h and z_h. Errors: as solve. Cost: O(n), that of assembling on 4 n triangles.
 GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
                               std::span<const double> values, std::span<const double> dual);

@@ -18,6 +18,10 @@ constexpr double careful_share = 0.75;
 constexpr double still_falling = 1.5;
 constexpr double settled_gain = 1.05;
 constexpr int max_passes = 8;
+constexpr double worth_shrinking = 0.92;  // of the vertices that a mesh has which meets the targets
+constexpr double largest_shrink = 0.5;
+constexpr int max_shrinks = 2;
+constexpr std::size_t passes_to_return = 3;
 
 bool same_rung(const SizeStep& a, const SizeStep& b) {
   return a.asked <= same_size * b.asked && b.asked <= same_size * a.asked;
@@ -101,6 +105,23 @@ double wanted_size(std::span<const SizeStep> history, const SizeGoal& goal) {
   return goal.cap ? *goal.cap : last.asked;
 }
 
+std::ptrdiff_t num_shrinks(std::span<const SizeStep> history) {
+  std::ptrdiff_t count = 0;
+  for (std::size_t k = 1; k < history.size(); ++k) count += history[k].asked < worth_shrinking * history[k - 1].asked;
+  return count;
+}
+
+// The last mesh meets the targets: stop, unless it is much larger than they need.
+SizeDecision when_met(std::span<const SizeStep> history, const SizeGoal& goal) {
+  const SizeStep& last = history.back();
+  const SizeDecision stop{last.asked, StopReason::ErrorTarget};
+  if (!last.adapted || num_shrinks(history) >= max_shrinks) return stop;
+  if (static_cast<int>(history.size() + passes_to_return) > goal.max_passes) return stop;
+  const double enough = (1.0 + margin) * predicted_vertices(last.vertices, last.error, 1.0, observed_order(history));
+  const double asked = std::max({enough, largest_shrink * last.vertices, history.front().asked});
+  return asked < worth_shrinking * last.vertices ? SizeDecision{asked, std::nullopt} : stop;
+}
+
 }  // namespace
 
 double predicted_vertices(double vertices, double error, double target, double order) {
@@ -111,7 +132,7 @@ double observed_order(std::span<const SizeStep> history) { return std::clamp(ord
 
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) {
   const SizeStep& last = history.back();
-  if (goal.error_targets && last.error <= 1.0) return {last.asked, StopReason::ErrorTarget};
+  if (goal.error_targets && last.error <= 1.0) return when_met(history, goal);
   const bool at_cap = goal.cap && last.asked >= *goal.cap * (1.0 - 1e-12);
   const bool at_size = !goal.error_targets && goal.vertices && last.asked >= *goal.vertices * (1.0 - 1e-12);
   const bool aimless = !goal.error_targets && !goal.vertices && !goal.cap;

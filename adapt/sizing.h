@@ -22,6 +22,7 @@ struct SizeGoal {
   bool error_targets = false;      // until SizeStep::error <= 1
   std::optional<double> vertices;  // until this size
   std::optional<double> cap;       // never ask for more
+  int max_passes = 0;              // in all, as far as smaller sizes may be tried once error targets are met
 };
 
 /// The size to ask for next, or why there is none.
@@ -53,6 +54,10 @@ double observed_order(std::span<const SizeStep> history);
 ///   up to 16 % after each pass that missed by little: meshes follow small changes of size with delay.
 ///   Of a prediction beyond 1.5 times the last size only 3/4 is asked for: a mesh that has not yet
 ///   found all of a layer improves faster than the observed order says.
+///
+/// - a mesh that meets the targets with 8 % more vertices than they are predicted to need is made smaller, at most
+/// twice
+///   and as long as 3 of max_passes are left to come back if the prediction was wrong.
 ///
 /// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (4 passes in which the error did not fall
 /// by 2 %), or Unchanged when nothing is aimed at and the first size has settled.

@@ -31,6 +31,34 @@ TEST_CASE("next_size stops as soon as the error targets are met", "[adapt][sizin
   CHECK(d.stop == StopReason::ErrorTarget);
 }
 
+TEST_CASE("next_size makes a mesh smaller that meets the targets with vertices to spare", "[adapt][sizing]") {
+  SizeGoal goal = to_error;
+  goal.max_passes = 12;
+  std::vector<SizeStep> history{{400, 400, 20}, {400, 400, 18}, {400, 400, 17}, {1600, 1600, 4.3}, {5200, 5200, 0.8}};
+  // error ~ N^-1.1 at most: 5200 0.8^(1/1.1) = 4245, and 2 % more.
+  const SizeDecision smaller = next_size(history, goal);
+  CHECK_FALSE(smaller.stop.has_value());
+  CHECK(smaller.asked == Approx(4330).epsilon(0.01));
+  SECTION("not for a few per cent") {
+    history.back().error = 0.95;
+    CHECK(next_size(history, goal).stop == StopReason::ErrorTarget);
+  }
+  SECTION("not where passes to come back are lacking") {
+    goal.max_passes = 7;
+    CHECK(next_size(history, goal).stop == StopReason::ErrorTarget);
+  }
+  SECTION("twice at most, never to less than half, nor below the first size") {
+    history.back().error = 0.01;
+    CHECK(next_size(history, goal).asked == 2600);
+    history.push_back({2600, 2600, 0.02});
+    CHECK(next_size(history, goal).asked == 1300);
+    history.push_back({1300, 1300, 0.04});
+    CHECK(next_size(history, goal).stop == StopReason::ErrorTarget);
+    const std::vector<SizeStep> small{{400, 400, 20}, {400, 400, 2}, {420, 420, 0.2}};
+    CHECK(next_size(small, goal).stop == StopReason::ErrorTarget);
+  }
+}
+
 TEST_CASE("next_size stays at the first size while passes still pay", "[adapt][sizing]") {
   std::vector<SizeStep> history{{400, 400, 100, false}, {400, 400, 30, true}};
   CHECK(next_size(history, to_error).asked == 400);
