@@ -139,6 +139,8 @@ Case parse_case(const std::string& text, const std::string& file, const std::vec
   if (!reading.issues.empty()) throw CaseError(file, place_issues(reading.document, reading.issues));
   clean(geometry->domain);  // throws GeometryError unless it can be meshed
   result.domain = geometry->domain;
+  result.required_regions = geometry->required_regions;
+  result.kept = geometry->kept;
   result.title = reading.document.root["title"].get<std::string>();
   result.resolved = std::move(reading.document.root);
   return result;

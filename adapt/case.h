@@ -70,6 +70,8 @@ struct Case {
   std::string title;
   nlohmann::ordered_json resolved;  // as run, every default filled in
   Domain domain;
+  std::vector<int> required_regions;        // whose triangles stay as the file, or the first mesh, has them
+  std::optional<Mesh> kept;                 // the mesh of the geometry's file, where that has required triangles
   bool interpolation = false;               // "interpolate": adapt to a given function, no PDE
   std::optional<Expression> exact;          // exact solution, or the function to interpolate
   std::shared_ptr<const GivenField> given;  // in place of exact: the function to interpolate, from a file

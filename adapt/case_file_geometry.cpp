@@ -4,8 +4,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "adapt/io/any_geometry.h"
-
 namespace parmesan {
 namespace {
 
@@ -47,10 +45,11 @@ std::optional<std::string> named_file(CaseReading& reading, const std::string& n
   return (folder / written).string();
 }
 
-std::optional<Domain> read_named_geometry(CaseReading& reading, const std::string& name, const std::string& pointer) {
+std::optional<GeometryInput> read_named_geometry(CaseReading& reading, const std::string& name,
+                                                 const std::string& pointer) {
   const std::optional<std::string> path = named_file(reading, name, pointer);
   if (!path) return std::nullopt;
-  return read_any_geometry(*path);
+  return read_geometry_input(*path);
 }
 
 }  // namespace parmesan

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "adapt/case_reading.h"
+#include "adapt/io/any_geometry.h"
 
 namespace parmesan {
 
@@ -19,6 +20,7 @@ std::optional<std::string> named_file(CaseReading& reading, const std::string& n
 
 /// Reads the geometry file that a case names at pointer.
 /// Nothing, and an issue, as named_file. Errors: FileError, GeometryError for what is in it.
-std::optional<Domain> read_named_geometry(CaseReading& reading, const std::string& name, const std::string& pointer);
+std::optional<GeometryInput> read_named_geometry(CaseReading& reading, const std::string& name,
+                                                 const std::string& pointer);
 
 }  // namespace parmesan

@@ -7,6 +7,7 @@
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"
 #include "adapt/shapes.h"
+#include "mesher/generate_around.h"
 
 namespace parmesan {
 namespace {
@@ -83,7 +84,8 @@ void add_polygon(CaseReading& reading, const Json& geometry, DomainBuilder& buil
   builder.add_ring(ring, sides);
 }
 
-void add_outline(CaseReading& reading, const Json& geometry, DomainBuilder& builder) {
+/// kept: the mesh of a file.
+void add_outline(CaseReading& reading, const Json& geometry, DomainBuilder& builder, std::optional<Mesh>& kept) {
   if (geometry.contains("rectangle")) {
     const std::optional<Ring> box = read_box(reading, geometry["rectangle"], kGeometry + "/rectangle");
     if (box) builder.add_ring(*box, box_sides());
@@ -92,8 +94,32 @@ void add_outline(CaseReading& reading, const Json& geometry, DomainBuilder& buil
   if (geometry.contains("polygon")) add_polygon(reading, geometry, builder);
   if (geometry.contains("naca")) add_naca(reading, geometry["naca"], builder);
   if (!geometry.contains("file")) return;
-  std::optional<Domain> domain = read_named_geometry(reading, geometry["file"].get<std::string>(), kGeometry + "/file");
-  if (domain) builder = DomainBuilder(std::move(*domain));
+  std::optional<GeometryInput> file =
+      read_named_geometry(reading, geometry["file"].get<std::string>(), kGeometry + "/file");
+  if (!file) return;
+  builder = DomainBuilder(std::move(file->domain));
+  kept = std::move(file->mesh);
+}
+
+/// The numbers of the regions that are to stay, which must be known by name.
+std::vector<int> read_required_regions(CaseReading& reading, const Json& geometry, const Domain& domain) {
+  std::vector<int> regions;
+  std::vector<std::string> names;
+  for (const RegionSeed& seed : domain.regions) names.push_back(label_name(domain.region_names, seed.region));
+  const Json wanted = geometry.value("required", Json::array());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const std::string name = wanted[i].get<std::string>();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) {
+      regions.push_back(domain.regions[static_cast<std::size_t>(found - names.begin())].region);
+      continue;
+    }
+    const std::string hint = suggestion(name, names);
+    reading.issues.add(kGeometry + "/required/" + std::to_string(i), "there is no region '" + name.substr(0, 60) + "'" +
+                                                                         (hint.empty() ? "." : hint) +
+                                                                         " The regions are: " + quoted_list(names));
+  }
+  return regions;
 }
 
 void add_holes(const Json& holes, DomainBuilder& builder) {
@@ -138,17 +164,33 @@ void read_labels(CaseReading& reading, const Json& geometry, DomainBuilder& buil
 }
 
 void add_insides(const Json& geometry, DomainBuilder& builder) {
-  for (const Json& point : geometry.value("points", Json::array())) builder.add_point(read_point(point));
+  // Domains of meshes around required regions keep those points that are required.
+  const bool has_required_regions = geometry.contains("required");
+  for (const Json& point : geometry.value("points", Json::array()))
+    builder.add_point(read_point(point), has_required_regions);
   for (const Json& segment : geometry.value("segments", Json::array())) {
     std::optional<std::string> right;
     if (segment.contains("label_right")) right = segment["label_right"].get<std::string>();
     builder.add_segment(read_point(segment["from"]), read_point(segment["to"]), segment["label"].get<std::string>(),
-                        right);
+                        right, segment.value("required", false));
   }
   const Json regions = geometry.value("regions", Json::object());
   for (const auto& [name, seed] : regions.items()) {
     if (!name.starts_with("x-")) builder.add_region(name, read_point(seed));
   }
+}
+
+/// The mesh of a file where it has triangles that are to stay; then nothing can be added to it.
+std::optional<Mesh> mesh_to_keep(CaseReading& reading, const Json& geometry, Mesh mesh, const CaseGeometry& read) {
+  mesh = with_required_regions(std::move(mesh), read.required_regions);
+  if (mesh.required.triangles.empty()) return std::nullopt;
+  for (const char* key : {"holes", "points", "segments", "regions"}) {
+    if (geometry.contains(key))
+      reading.issues.add(kGeometry + "/" + key, "cannot be added to a mesh with triangles that are required to stay");
+  }
+  mesh.label_names = read.domain.label_names;
+  mesh.region_names = read.domain.region_names;
+  return mesh;
 }
 
 }  // namespace
@@ -157,7 +199,8 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
   if (!reading.document.root.contains("geometry") || !reading.issues.clean(kGeometry)) return std::nullopt;
   const Json& geometry = reading.document.root["geometry"];
   DomainBuilder builder;
-  add_outline(reading, geometry, builder);
+  std::optional<Mesh> file_mesh;
+  add_outline(reading, geometry, builder, file_mesh);
   if (!reading.issues.clean(kGeometry)) return std::nullopt;
   add_holes(geometry.value("holes", Json::array()), builder);
   read_labels(reading, geometry, builder);
@@ -171,6 +214,8 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
     (is_side && !from_file ? result.sides : result.optional).push_back(label);
   }
   result.domain = builder.domain();
+  result.required_regions = read_required_regions(reading, geometry, result.domain);
+  if (file_mesh) result.kept = mesh_to_keep(reading, geometry, std::move(*file_mesh), result);
   if (!reading.issues.clean(kGeometry)) return std::nullopt;
   return result;
 }

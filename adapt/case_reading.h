@@ -27,9 +27,11 @@ struct CaseReading {
 /// A domain with what boundary conditions need to know of it.
 struct CaseGeometry {
   Domain domain;
-  std::vector<int> sides;     // labels that need a condition, ascending
-  std::vector<int> optional;  // labels that may have one: inside, or in a file
-  std::vector<int> cracks;    // labels of the sides of cracks, ascending
+  std::vector<int> sides;             // labels that need a condition, ascending
+  std::vector<int> optional;          // labels that may have one: inside, or in a file
+  std::vector<int> cracks;            // labels of the sides of cracks, ascending
+  std::vector<int> required_regions;  // whose triangles are to stay
+  std::optional<Mesh> kept;           // a file's mesh that has required triangles
 };
 
 /// Reads /geometry. Nothing, and issues, when it cannot be used.

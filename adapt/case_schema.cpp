@@ -101,7 +101,8 @@ constexpr const char* kSchema = R"schema({
         "from": { "$ref": "#/$defs/point" }, "to": { "$ref": "#/$defs/point" },
         "label": { "type": "string", "minLength": 1, "default": "inside" },
         "label_right": { "type": "string", "minLength": 1,
-                         "description": "makes it a crack: the label of its side to the right of from -> to" }
+                         "description": "makes it a crack: the label of its side to the right of from -> to" },
+        "required": { "type": "boolean", "description": "true: stays one edge of every mesh" }
       }
     },
     "geometry": {
@@ -128,6 +129,8 @@ constexpr const char* kSchema = R"schema({
         },
         "regions": { "type": "object", "additionalProperties": { "$ref": "#/$defs/point" },
                      "description": "name -> a point in the region" },
+        "required": { "type": "array", "items": { "type": "string", "minLength": 1 },
+                      "description": "regions whose triangles stay as the file, or the first mesh, has them" },
         "points": { "type": "array", "items": { "$ref": "#/$defs/point" }, "description": "vertices inside" },
         "segments": { "type": "array", "items": { "$ref": "#/$defs/segment" }, "description": "edges and cracks inside" }
       }

@@ -31,7 +31,8 @@ void fields(Archive& archive, Metric& m) {
 
 template <class Archive>
 void fields(Archive& archive, Mesh& m) {
-  archive(m.points, m.triangles, m.regions, m.edges, m.labels, m.label_names, m.region_names);
+  archive(m.points, m.triangles, m.regions, m.edges, m.labels, m.label_names, m.region_names, m.required.vertices,
+          m.required.edges, m.required.triangles);
 }
 
 template <class Archive>

@@ -36,12 +36,18 @@ void DomainBuilder::add_hole(const Ring& ring, const std::string& side) {
   domain_.holes.push_back(interior_point(ring));
 }
 
+void DomainBuilder::add_point(const Point& p, bool is_required) {
+  if (is_required) domain_.required_points.push_back(static_cast<int>(domain_.points.size()));
+  domain_.points.push_back(p);
+}
+
 void DomainBuilder::add_segment(const Point& a, const Point& b, const std::string& name,
-                                const std::optional<std::string>& right) {
+                                const std::optional<std::string>& right, bool is_required) {
   const int first = static_cast<int>(domain_.points.size());
   domain_.points.insert(domain_.points.end(), {a, b});
   domain_.segments.push_back({first, first + 1, label(name)});
   if (right) domain_.segments.back().label_right = label(*right);
+  domain_.segments.back().required = is_required;
 }
 
 void DomainBuilder::add_region(const std::string& name, const Point& seed) {

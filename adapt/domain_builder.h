@@ -22,10 +22,12 @@ class DomainBuilder {
   /// A ring with a hole seed inside.
   void add_hole(const Ring& ring, const std::string& side);
 
-  void add_point(const Point& p) { domain_.points.push_back(p); }
+  /// is_required: meshes are to mark it so.
+  void add_point(const Point& p, bool is_required = false);
 
-  /// right: makes it a crack, name being that of its left side.
-  void add_segment(const Point& a, const Point& b, const std::string& name, const std::optional<std::string>& right);
+  /// right: makes it a crack, name being that of its left side. is_required: it stays one edge.
+  void add_segment(const Point& a, const Point& b, const std::string& name,
+                   const std::optional<std::string>& right = {}, bool is_required = false);
   void add_region(const std::string& name, const Point& seed);
 
   /// Gives a label another name; several labels may come to have the same.

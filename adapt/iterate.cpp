@@ -17,6 +17,7 @@
 #include "adapt/transfer.h"
 #include "fem/dual.h"
 #include "mesher/cracks.h"
+#include "mesher/generate_around.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
@@ -24,12 +25,22 @@
 namespace parmesan {
 namespace {
 
+/// The mesh whose required triangles the next one must have; nothing where there are none.
+std::optional<Mesh> mesh_to_keep(const Case& input, const Mesh* previous) {
+  if (previous == nullptr) return input.kept;
+  if (previous->required.triangles.empty() && input.required_regions.empty()) return std::nullopt;
+  Mesh mesh = with_required_regions(*previous, input.required_regions);
+  return mesh.required.triangles.empty() ? std::nullopt : std::optional(std::move(mesh));
+}
+
 Iterate generated(const Case& input, const MetricField& field, const Mesh* previous,
                   const TensorField* hessian = nullptr) {
   const Stopwatch watch;
   GenerateOptions options = input.mesher;
   options.hessian = hessian;
-  GenerateResult made = generate(input.domain, field, options, previous);
+  const std::optional<Mesh> kept = mesh_to_keep(input, previous);
+  GenerateResult made =
+      kept ? generate_around(*kept, field, options) : generate(input.domain, field, options, previous);
   Iterate iterate;
   iterate.report = std::move(made.report);
   iterate.mesh = std::move(made.mesh);

@@ -45,6 +45,7 @@ void ConstraintMap::bind_to_segments() {
     edges_.push_back(edge_key(a, b));
     const int s = mesh_.labels[e];
     const Segment& segment = domain_.segments[at(s)];
+    if (segment.required) required_.push_back(edges_.back());
     for (const int v : {a, b}) {
       for (const int p : {segment.a, segment.b})
         if (mesh_.points[at(v)] == domain_.points[at(p)]) point_[at(v)] = p;
@@ -52,6 +53,7 @@ void ConstraintMap::bind_to_segments() {
     }
   }
   std::sort(edges_.begin(), edges_.end());
+  std::sort(required_.begin(), required_.end());
 }
 
 // Domain points that no segment ends at are recognised by their coordinates.
@@ -71,6 +73,10 @@ void ConstraintMap::find_isolated_points() {
 
 bool ConstraintMap::is_constrained(int a, int b) const {
   return std::binary_search(edges_.begin(), edges_.end(), edge_key(a, b));
+}
+
+bool ConstraintMap::is_required(int a, int b) const {
+  return std::binary_search(required_.begin(), required_.end(), edge_key(a, b));
 }
 
 std::vector<int> ConstraintMap::segments_at(int vertex) const {

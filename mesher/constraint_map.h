@@ -22,6 +22,9 @@ class ConstraintMap {
   /// Is the edge between the two vertices a part of a segment?
   bool is_constrained(int a, int b) const;
 
+  /// Is the edge a required segment?
+  bool is_required(int a, int b) const;
+
   /// Do the vertices lie on two segments that meet elsewhere, at less than 30 degrees in the metric?
   bool face_across_sharp_corner(int a, int b, const Metric& metric) const;
 
@@ -37,6 +40,7 @@ class ConstraintMap {
   std::vector<int> segment_;                     // segment that each vertex lies on, -1: none or a domain point
   std::vector<std::vector<int>> segments_from_;  // of each domain point
   std::vector<std::uint64_t> edges_;             // constrained edges, sorted
+  std::vector<std::uint64_t> required_;          // those of required segments, sorted
 };
 
 }  // namespace parmesan

@@ -43,6 +43,7 @@ class Opener {
     for (int t = 0; t < mesh_.num_triangles(); ++t)
       result_.mesh.triangles.push_back({vertex_at(3 * t), vertex_at(3 * t + 1), vertex_at(3 * t + 2)});
     open_edges();
+    require_copies();
     return std::move(result_);
   }
 
@@ -96,11 +97,25 @@ class Opener {
       const int left = side->edge_goes_down ? side->right : side->left;
       const int right = side->edge_goes_down ? side->left : side->right;
       const auto [a, b] = mesh_.edges[at(side->edge)];
+      first_edge_.push_back(result_.mesh.num_edges());
       const auto above = add_edge(left, a, b, mesh_.labels[at(side->edge)]);
       if (!is_crack(*side) || right < 0) continue;
       const auto below = add_edge(right, b, a, *right_labels_[at(side->edge)]);
       if (above[0] == below[1] && above[1] == below[0]) refuse_single_edge(a, b);
     }
+  }
+
+  // What is required stays so, edges of cracks on both sides.
+  void require_copies() {
+    std::vector<bool> is_required(mesh_.points.size(), false);
+    for (const int v : mesh_.required.vertices) is_required[at(v)] = true;
+    for (int v = 0; v < result_.mesh.num_vertices(); ++v)
+      if (is_required[at(result_.sources[at(v)])]) result_.mesh.required.vertices.push_back(v);
+    for (const int e : mesh_.required.edges) {
+      const int end = e + 1 < mesh_.num_edges() ? first_edge_[at(e + 1)] : result_.mesh.num_edges();
+      for (int copy = first_edge_[at(e)]; copy < end; ++copy) result_.mesh.required.edges.push_back(copy);
+    }
+    result_.mesh.required.triangles = mesh_.required.triangles;
   }
 
   /// The copies of a and b at a triangle.
@@ -125,6 +140,7 @@ class Opener {
   std::vector<int> number_;       // of the sector at its root
   std::vector<int> num_sectors_;  // of each vertex
   std::vector<int> first_;        // copy of each vertex
+  std::vector<int> first_edge_;   // copy of each edge
   OpenedMesh result_;
 };
 
@@ -176,8 +192,12 @@ void close_edges(const Mesh& open, ClosedMesh& result) {
     other_side[before] = e;
     is_dropped[e] = true;
   }
+  std::vector<bool> is_required(open.edges.size(), false);
+  for (const int e : open.required.edges) is_required[at(e)] = true;
   for (std::size_t e = 0; e < open.edges.size(); ++e) {
     if (is_dropped[e]) continue;
+    if (is_required[e] || (other_side[e] && is_required[*other_side[e]]))
+      result.mesh.required.edges.push_back(result.mesh.num_edges());
     result.mesh.edges.push_back({start(e), result.vertices[at(open.edges[e][1])]});
     result.mesh.labels.push_back(open.labels[e]);
     result.right_labels.push_back(other_side[e] ? std::optional(open.labels[*other_side[e]]) : std::nullopt);
@@ -208,6 +228,9 @@ ClosedMesh close_cracks(const Mesh& mesh) {
   result.mesh.label_names = mesh.label_names;
   result.mesh.region_names = mesh.region_names;
   close_edges(mesh, result);
+  for (const int v : mesh.required.vertices) result.mesh.required.vertices.push_back(result.vertices[at(v)]);
+  result.mesh.required.vertices = ascending(std::move(result.mesh.required.vertices));
+  result.mesh.required.triangles = mesh.required.triangles;
   return result;
 }
 

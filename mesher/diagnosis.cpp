@@ -111,6 +111,32 @@ class Tally {
   std::array<double, num_reasons> most_{};
 };
 
+double length_of(const Mesh& mesh, std::span<const Metric> metrics, int a, int b) {
+  return metric_edge_length(mesh.points[at(b)] - mesh.points[at(a)], metrics[at(a)], metrics[at(b)]);
+}
+
+double quality_of(const Mesh& mesh, std::span<const Metric> metrics, int t) {
+  const auto& [a, b, c] = mesh.triangles[at(t)];
+  const SymmetricTensor sum = metrics[at(a)].log() + metrics[at(b)].log() + metrics[at(c)].log();
+  return mean_ratio(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)], Metric::from_log((1.0 / 3.0) * sum));
+}
+
+/// The misfits found, by kind.
+struct Tallies {
+  Tally too_long, too_short, poor;
+
+  void add_edge(MisfitReason reason, const Point& middle, double l) {
+    if (l > std::numbers::sqrt2) too_long.add(reason, middle, l, l);
+    if (l < std::numbers::sqrt2 / 2.0) too_short.add(reason, middle, l, -l);
+  }
+  void add_triangle(MisfitReason reason, const Point& center, double q) {
+    if (q < poor_quality) poor.add(reason, center, q, -q);
+  }
+  Diagnosis diagnosis(int num_triangles) const {
+    return {num_triangles, too_long.worst_first(), too_short.worst_first(), poor.worst_first()};
+  }
+};
+
 /// Looks at the suspects and says what is the matter with each.
 class Examination {
  public:
@@ -118,36 +144,22 @@ class Examination {
       : mesh_(mesh), metrics_(metrics), suspects_(suspects), constraints_(mesh, domain) {}
 
   Diagnosis run() const {
-    Tally too_long, too_short, poor;
+    Tallies found;
     for (const auto& [a, b] : suspects_.edges) {
       const double l = length(a, b);
-      const Point place = midpoint(mesh_.points[at(a)], mesh_.points[at(b)]);
-      if (l > std::numbers::sqrt2) too_long.add(reason_of_edge(a, b, l), place, l, l);
-      if (l < std::numbers::sqrt2 / 2.0) too_short.add(reason_of_edge(a, b, l), place, l, -l);
+      if (is_misfit(l)) found.add_edge(reason_of_edge(a, b, l), midpoint(mesh_.points[at(a)], mesh_.points[at(b)]), l);
     }
     for (const int t : suspects_.triangles) {
-      const double q = quality(t);
-      if (q < poor_quality) poor.add(reason_of_triangle(t), center(t), q, -q);
+      const double q = quality_of(mesh_, metrics_, t);
+      if (q < poor_quality) found.add_triangle(reason_of_triangle(t), center(t), q);
     }
-    Diagnosis diagnosis;
-    diagnosis.num_triangles = mesh_.num_triangles();
-    diagnosis.long_edges = too_long.worst_first();
-    diagnosis.short_edges = too_short.worst_first();
-    diagnosis.poor_triangles = poor.worst_first();
-    return diagnosis;
+    return found.diagnosis(mesh_.num_triangles());
   }
 
  private:
-  double length(int a, int b) const {
-    return metric_edge_length(mesh_.points[at(b)] - mesh_.points[at(a)], metrics_[at(a)], metrics_[at(b)]);
-  }
+  static bool is_misfit(double l) { return l > std::numbers::sqrt2 || l < std::numbers::sqrt2 / 2.0; }
 
-  double quality(int t) const {
-    const auto& [a, b, c] = mesh_.triangles[at(t)];
-    const SymmetricTensor sum = metrics_[at(a)].log() + metrics_[at(b)].log() + metrics_[at(c)].log();
-    return mean_ratio(mesh_.points[at(a)], mesh_.points[at(b)], mesh_.points[at(c)],
-                      Metric::from_log((1.0 / 3.0) * sum));
-  }
+  double length(int a, int b) const { return length_of(mesh_, metrics_, a, b); }
 
   Point center(int t) const {
     const auto& [a, b, c] = mesh_.triangles[at(t)];
@@ -164,6 +176,7 @@ class Examination {
 };
 
 MisfitReason Examination::reason_of_edge(int a, int b, double l) const {
+  if (constraints_.is_required(a, b)) return MisfitReason::Required;
   const bool is_constrained = constraints_.is_constrained(a, b);
   if (!is_constrained && constraints_.face_across_sharp_corner(a, b, metrics_[at(a)])) return MisfitReason::SharpCorner;
   if (l < 1.0 && constraints_.is_fixed(a) && constraints_.is_fixed(b)) return MisfitReason::ClosePoints;
@@ -180,7 +193,54 @@ MisfitReason Examination::reason_of_triangle(int t) const {
       {reason_of_edge(a, b, length(a, b)), reason_of_edge(b, c, length(b, c)), reason_of_edge(c, a, length(c, a))});
 }
 
+/// Both lists as one: at most one entry per reason, the worst first by how far worst is from 1.
+std::vector<Misfits> merged(std::vector<Misfits> list, const std::vector<Misfits>& more) {
+  const auto misfit = [](const Misfits& m) { return std::abs(std::log(m.worst)); };
+  for (const Misfits& other : more) {
+    const auto same =
+        std::find_if(list.begin(), list.end(), [&](const Misfits& m) { return m.reason == other.reason; });
+    if (same == list.end()) {
+      list.push_back(other);
+      continue;
+    }
+    const std::int64_t count = same->count + other.count;
+    if (misfit(other) > misfit(*same)) *same = other;
+    same->count = count;
+  }
+  std::stable_sort(list.begin(), list.end(), [&](const Misfits& a, const Misfits& b) { return misfit(a) > misfit(b); });
+  return list;
+}
+
 }  // namespace
+
+Diagnosis with_required_triangles(Diagnosis diagnosis, const Mesh& mesh, std::span<const Metric> metrics,
+                                  std::span<const std::array<int, 2>> counted) {
+  Mesh part;
+  part.points = mesh.points;
+  for (const int t : mesh.required.triangles) part.triangles.push_back(mesh.triangles[at(t)]);
+  std::vector<Edge> done;
+  for (const auto& [a, b] : counted) done.push_back({std::min(a, b), std::max(a, b)});
+  std::sort(done.begin(), done.end());
+  const Suspects suspects = Search(part, metrics).run();
+  Tallies found;
+  for (const Edge& e : suspects.edges) {
+    if (std::binary_search(done.begin(), done.end(), e)) continue;
+    found.add_edge(MisfitReason::Required, midpoint(mesh.points[at(e.low)], mesh.points[at(e.high)]),
+                   length_of(mesh, metrics, e.low, e.high));
+  }
+  for (const int t : suspects.triangles) {
+    const auto& [a, b, c] = part.triangles[at(t)];
+    found.add_triangle(MisfitReason::Required,
+                       (1.0 / 3.0) * (mesh.points[at(a)] + mesh.points[at(b)] + mesh.points[at(c)]),
+                       quality_of(part, metrics, t));
+  }
+  const Diagnosis required = found.diagnosis(part.num_triangles());
+  diagnosis.num_triangles += required.num_triangles;
+  diagnosis.long_edges = merged(std::move(diagnosis.long_edges), required.long_edges);
+  diagnosis.short_edges = merged(std::move(diagnosis.short_edges), required.short_edges);
+  diagnosis.poor_triangles = merged(std::move(diagnosis.poor_triangles), required.poor_triangles);
+  return diagnosis;
+}
 
 Diagnosis diagnose(const Mesh& mesh, std::span<const Metric> metrics, const Domain& domain) {
   const Suspects suspects = Search(mesh, metrics).run();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@ namespace parmesan {
 
 /// Why edges or triangles miss the metric, where that can be told. The first that applies is named.
 enum class MisfitReason {
+  Required,            // at an edge or a triangle that must stay as it is
   SharpCorner,         // between two segments that meet at less than 30 degrees in the metric
   ClosePoints,         // between domain points nearer than a unit edge
   MetricJump,          // where the metrics of a triangle's vertices measure a side 3-fold differently, or near by
@@ -47,6 +49,11 @@ struct Diagnosis {
 /// match_edges_to_segments. metrics: one per vertex. Cost: O(n), a quarter of measure_quality
 /// where all is well.
 Diagnosis diagnose(const Mesh& mesh, std::span<const Metric> metrics, const Domain& domain);
+
+/// The diagnosis with the misfits of the mesh's required triangles added, for MisfitReason::Required. counted: sides of
+/// theirs that it has already.
+Diagnosis with_required_triangles(Diagnosis diagnosis, const Mesh& mesh, std::span<const Metric> metrics,
+                                  std::span<const std::array<int, 2>> counted);
 
 /// Is no length out of [1/2, 2], no quality under 0.3, and not more than about one edge in fifty (or
 /// two in a small mesh) out of [1/sqrt2, sqrt2]?

@@ -8,6 +8,8 @@ namespace {
 
 std::string_view explanation(MisfitReason reason) {
   switch (reason) {
+    case MisfitReason::Required:
+      return "at edges or triangles that are required to stay";
     case MisfitReason::SharpCorner:
       return "between segments that meet at less than 30 degrees in the metric";
     case MisfitReason::ClosePoints:
@@ -54,6 +56,8 @@ bool any_beyond(const std::vector<Misfits>& misfits, double low, double high) {
 
 std::string_view to_string(MisfitReason reason) {
   switch (reason) {
+    case MisfitReason::Required:
+      return "required";
     case MisfitReason::SharpCorner:
       return "sharp_corner";
     case MisfitReason::ClosePoints:

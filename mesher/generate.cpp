@@ -120,7 +120,9 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
     if (level == levels && level > 0) match_density(particles, {scale, false}, coarse_effort);
     if (options.observer) options.observer(particles, levels - level);
     relaxed = level == 0 ? taken_lower_in_error(particles, options.hessian) : taken_from(particles);
-    if (level > 0) relaxed.mesh = in_local_order(refine_red(relaxed.mesh));
+    if (level == 0) break;
+    relaxed.mesh.required = required_parts(relaxed.mesh, domain);
+    relaxed.mesh = in_local_order(refine_red(relaxed.mesh));
   }
   return relaxed;
 }
@@ -178,6 +180,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   const bool from_scratch = choice.start == Start::Scratch;
   Mesh start = from_scratch ? to_mesh(triangulate(domain), segment_numbers(domain)).mesh : *previous;
   if (!from_scratch) start.labels = *segments;
+  start.required = required_parts(start, domain);
   const double expected =
       from_scratch ? expected_vertices(integrate_complexity(start, field)) : choice.expected_vertices;
   check_size(expected, options.max_vertices);

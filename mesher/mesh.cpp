@@ -1,5 +1,6 @@
 #include "mesher/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -48,6 +49,15 @@ void check_indices(const std::vector<std::array<int, N>>& cells, int num_points,
                             {static_cast<int>(i)});
       }
     }
+  }
+}
+
+void check_required(const std::vector<int>& numbers, std::size_t count, const char* kind) {
+  for (const int number : numbers) {
+    if (number >= 0 && number < static_cast<int>(count)) continue;
+    throw GeometryError(
+        std::string(kind) + " " + std::to_string(number) + " is required, but there are only " + std::to_string(count),
+        {number});
   }
 }
 
@@ -109,6 +119,12 @@ std::optional<MeshSide> lowest_unsound_side(const Mesh& mesh) {
 
 }  // namespace
 
+std::vector<int> ascending(std::vector<int> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 std::string label_name(const LabelNames& names, int label) {
   const auto found = names.find(label);
   return found == names.end() ? std::to_string(label) : found->second;
@@ -119,6 +135,9 @@ void validate(const Mesh& mesh) {
   check_points(mesh);
   check_indices(mesh.triangles, mesh.num_vertices(), "triangle");
   check_indices(mesh.edges, mesh.num_vertices(), "edge");
+  check_required(mesh.required.vertices, mesh.points.size(), "point");
+  check_required(mesh.required.edges, mesh.edges.size(), "edge");
+  check_required(mesh.required.triangles, mesh.triangles.size(), "triangle");
   check_triangles(mesh);
   if (const std::optional<MeshSide> side = lowest_unsound_side(mesh)) refuse(*side);
 }

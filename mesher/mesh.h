@@ -12,6 +12,18 @@ namespace parmesan {
 /// Names of integer labels; a label without an entry is called by its number.
 using LabelNames = std::map<int, std::string>;
 
+/// What of a mesh a remeshing leaves as it is, by ascending numbers.
+struct RequiredParts {
+  std::vector<int> vertices;   // stay where they are
+  std::vector<int> edges;      // of Mesh::edges: stay whole
+  std::vector<int> triangles;  // stay, with their corners and sides
+
+  bool operator==(const RequiredParts&) const = default;
+};
+
+/// The numbers in ascending order, each once.
+std::vector<int> ascending(std::vector<int> numbers);
+
 /// A triangle mesh as plain arrays; the only thing fem and adapt read of the mesher.
 ///
 /// Shape: points 2 x n; triangles 3 x m, counter-clockwise, with one region each;
@@ -25,6 +37,7 @@ struct Mesh {
   std::vector<int> labels;
   LabelNames label_names;
   LabelNames region_names;
+  RequiredParts required;
 
   int num_vertices() const { return static_cast<int>(points.size()); }
   int num_triangles() const { return static_cast<int>(triangles.size()); }

@@ -22,9 +22,25 @@ bool has_cracks(const Domain& domain) {
   return std::ranges::any_of(domain.segments, [](const Segment& s) { return s.label_right.has_value(); });
 }
 
+bool comes_first(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
 }  // namespace
 
+RequiredParts required_parts(const Mesh& mesh, const Domain& domain) {
+  RequiredParts required;
+  for (int e = 0; e < mesh.num_edges(); ++e)
+    if (domain.segments[at(mesh.labels[at(e)])].required) required.edges.push_back(e);
+  std::vector<Point> points;
+  for (const int p : domain.required_points) points.push_back(domain.points[at(p)]);
+  std::sort(points.begin(), points.end(), comes_first);
+  for (int v = 0; v < mesh.num_vertices() && !points.empty(); ++v)
+    if (std::binary_search(points.begin(), points.end(), mesh.points[at(v)], comes_first))
+      required.vertices.push_back(v);
+  return required;
+}
+
 OpenedMesh with_user_labels(Mesh mesh, const Domain& domain) {
+  mesh.required = required_parts(mesh, domain);
   std::vector<std::optional<int>> right_labels(mesh.edges.size());
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const Segment& segment = domain.segments[at(mesh.labels[e])];

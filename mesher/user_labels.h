@@ -6,8 +6,12 @@
 
 namespace parmesan {
 
-/// The mesh that the user gets of one whose edges are labelled with the segments they are parts of: labels and names
-/// are the domain's, its cracks open. Errors: as open_cracks. Cost: O(n).
+/// What the domain requires to stay of a mesh whose edges are labelled with the segments that they are parts of.
+/// Cost: O(n).
+RequiredParts required_parts(const Mesh& mesh, const Domain& domain);
+
+/// The mesh that the user gets of such a one: labels, names and required parts are the domain's, its cracks open.
+/// Errors: as open_cracks. Cost: O(n).
 OpenedMesh with_user_labels(Mesh mesh, const Domain& domain);
 
 }  // namespace parmesan

@@ -1,14 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/mesh.h"
 
 namespace parmesan {
 
 /// Reads what is to be meshed from any file that is understood: those of read_geometry, and GeoJSON (.geojson, .json).
 /// Errors: as read_geometry and read_geojson.
 Domain read_any_geometry(const std::string& path);
+
+/// A geometry, and the mesh that it is the domain of: a file may be one whose triangles are required to stay.
+struct GeometryInput {
+  Domain domain;
+  std::optional<Mesh> mesh;  // with triangles, one that can be computed on
+};
+
+/// The same with the mesh. Errors: as read_any_geometry, and as read_valid_mesh.
+GeometryInput read_geometry_input(const std::string& path);
 
 /// Whether a file of this suffix is a domain and never a mesh.
 bool is_any_domain_file_name(const std::string& path);

@@ -15,6 +15,7 @@ struct Segment {
   int b = 0;
   int label = 0;                        // of a crack: of the side to the left of a -> b
   std::optional<int> label_right = {};  // makes it a crack: the label of the other side
+  bool required = false;                // stays whole: one edge of every mesh
 };
 
 /// The piece of a segment between two points on it, in the segment's direction.
@@ -45,6 +46,7 @@ struct Domain {
   std::vector<Segment> segments;
   std::vector<Point> holes;
   std::vector<RegionSeed> regions;
+  std::vector<int> required_points;  // that meshes are to mark as such; all points are kept
   Inside inside = Inside::HoleSeeds;
   LabelNames label_names;
   LabelNames region_names;

@@ -23,6 +23,7 @@ struct Constraint {
   int label;
   std::optional<int> label_right;  // of a crack
   bool is_boundary;
+  bool is_required;
 
   /// The label to the left, and a crack's to the right, on the way away from v.
   std::pair<int, std::optional<int>> labels_from(int v) const {
@@ -39,14 +40,16 @@ bool separates(const Mesh& mesh, const MeshSide& side) {
 
 std::vector<Constraint> constraints_of(const Mesh& mesh, const std::vector<MeshSide>& sides,
                                        const std::vector<std::optional<int>>& right_labels) {
+  std::vector<bool> is_required(mesh.edges.size(), false);
+  for (const int e : mesh.required.edges) is_required[static_cast<std::size_t>(e)] = true;
   std::vector<Constraint> result;
   for (const MeshSide& side : sides) {
     if (!separates(mesh, side)) continue;
     const bool goes_down = side.is_boundary() ? side.left < 0 : side.edge_goes_down;
     const int label = side.edge >= 0 ? mesh.labels[static_cast<std::size_t>(side.edge)] : 0;
     const auto label_right = side.edge >= 0 ? right_labels[static_cast<std::size_t>(side.edge)] : std::nullopt;
-    result.push_back(
-        {goes_down ? side.high : side.low, goes_down ? side.low : side.high, label, label_right, side.is_boundary()});
+    result.push_back({goes_down ? side.high : side.low, goes_down ? side.low : side.high, label, label_right,
+                      side.is_boundary(), side.edge >= 0 && is_required[static_cast<std::size_t>(side.edge)]});
   }
   return result;
 }
@@ -54,7 +57,9 @@ std::vector<Constraint> constraints_of(const Mesh& mesh, const std::vector<MeshS
 /// Joins constraints of one label that lie on one line into segments, between the mesh's vertices.
 class ChainJoiner {
  public:
-  ChainJoiner(const std::vector<Point>& points, const std::vector<Constraint>& constraints)
+  /// corners: vertices where chains end in any case.
+  ChainJoiner(const std::vector<Point>& points, const std::vector<Constraint>& constraints,
+              const std::vector<int>& corners)
       : points_(points), constraints_(constraints), incident_(points.size(), {-1, -1}), is_corner_(points.size()) {
     double largest = 0.0;
     for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
@@ -63,6 +68,7 @@ class ChainJoiner {
       add_incidence(constraint(c).a, c);
       add_incidence(constraint(c).b, c);
     }
+    for (const int v : corners) is_corner_[index(v)] = true;
     for (int v = 0; v < static_cast<int>(points.size()); ++v) {
       if (!is_corner(v) && !passes_straight(v)) is_corner_[index(v)] = true;
     }
@@ -102,6 +108,7 @@ class ChainJoiner {
     const auto [c, d] = incident_[index(v)];
     if (c < 0 || d < 0) return false;
     if (constraint(c).is_boundary != constraint(d).is_boundary) return false;
+    if (constraint(c).is_required || constraint(d).is_required) return false;
     if (constraint(c).labels_from(other_end(c, v)) != constraint(d).labels_from(v)) return false;
     const Point& p = point(other_end(c, v));
     const Point& q = point(other_end(d, v));
@@ -121,6 +128,8 @@ class ChainJoiner {
     return chain;
   }
 
+  static Segment segment_of(const Constraint& c, int a, int b) { return {a, b, c.label, c.label_right, c.is_required}; }
+
   /// One segment for the chain, or one for each of its constraints when together they bend.
   void append(const std::vector<int>& chain, std::vector<Segment>* segments) {
     const auto [a, b] = ends(chain);
@@ -130,11 +139,11 @@ class ChainJoiner {
                     is_near_line(point(constraint(c).b), point(a), point(b));
     }
     if (is_straight) {
-      segments->push_back({a, b, constraint(chain.front()).label, constraint(chain.front()).label_right});
+      segments->push_back(segment_of(constraint(chain.front()), a, b));
       return;
     }
     for (const int c : chain) {
-      segments->push_back({constraint(c).a, constraint(c).b, constraint(c).label, constraint(c).label_right});
+      segments->push_back(segment_of(constraint(c), constraint(c).a, constraint(c).b));
       is_corner_[index(constraint(c).a)] = is_corner_[index(constraint(c).b)] = true;
     }
   }
@@ -188,9 +197,10 @@ std::vector<RegionSeed> region_seeds(const Mesh& mesh, const std::vector<MeshSid
   return seeds;
 }
 
-/// Keeps the points that segments use, in their order, and renumbers the segments.
+/// Keeps the points that segments use or that are required, in their order, and renumbers them.
 void compact_points(const std::vector<Point>& points, Domain* domain) {
   std::vector<int> renumbered(points.size(), -1);
+  for (const int v : domain->required_points) renumbered[static_cast<std::size_t>(v)] = 0;
   for (const Segment& s : domain->segments) {
     for (const int v : {s.a, s.b}) renumbered[static_cast<std::size_t>(v)] = 0;
   }
@@ -203,6 +213,7 @@ void compact_points(const std::vector<Point>& points, Domain* domain) {
     s.a = renumbered[static_cast<std::size_t>(s.a)];
     s.b = renumbered[static_cast<std::size_t>(s.b)];
   }
+  for (int& v : domain->required_points) v = renumbered[static_cast<std::size_t>(v)];
 }
 
 }  // namespace
@@ -216,7 +227,8 @@ Domain domain_of(const Mesh& open) {
     if (c.is_boundary) boundary.push_back({c.a, c.b});
   }
   Domain domain;
-  domain.segments = ChainJoiner(mesh.points, constraints).run();
+  domain.segments = ChainJoiner(mesh.points, constraints, mesh.required.vertices).run();
+  domain.required_points = mesh.required.vertices;
   compact_points(mesh.points, &domain);
   domain.holes = hole_seeds(mesh.points, boundary);
   domain.regions = region_seeds(mesh, sides);

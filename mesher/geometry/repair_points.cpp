@@ -106,6 +106,10 @@ void check_input(const Domain& domain) {
     check_end(s.a, static_cast<int>(domain.points.size()), index);
     check_end(s.b, static_cast<int>(domain.points.size()), index++);
   }
+  for (const int v : domain.required_points) {
+    if (v < 0 || v >= static_cast<int>(domain.points.size()))
+      throw GeometryError("point " + text(v) + " is required, but there is no such point", {v});
+  }
 }
 
 DomainRepair merge_duplicate_points(const Domain& domain) {
@@ -128,6 +132,7 @@ DomainRepair merge_duplicate_points(const Domain& domain) {
     s.a = renumbered[static_cast<std::size_t>(s.a)];
     s.b = renumbered[static_cast<std::size_t>(s.b)];
   }
+  for (int& v : repair.domain.required_points) v = renumbered[static_cast<std::size_t>(v)];
   repair.segment_sources.resize(domain.segments.size());
   std::iota(repair.segment_sources.begin(), repair.segment_sources.end(), 0);
   repair.note("merged", "duplicate point", merged);

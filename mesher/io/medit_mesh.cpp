@@ -25,6 +25,7 @@ class MeditMeshReader {
     if (vertices_.state == State::Bookmarked) read_vertices(vertices_.start);
     if (edges_.state == State::Bookmarked) read_edges(edges_.start);
     if (triangles_.state == State::Bookmarked) read_triangles(triangles_.start);
+    read_required_parts();
     return std::move(mesh_);
   }
 
@@ -44,6 +45,12 @@ class MeditMeshReader {
       if (starts(edges_, vertices_.state == State::Read)) read_edges(in_);
     } else if (keyword == "triangles") {
       if (starts(triangles_, vertices_.state == State::Read)) read_triangles(in_);
+    } else if (keyword == "requiredvertices") {
+      starts(required_vertices_, false);
+    } else if (keyword == "requirededges") {
+      starts(required_edges_, false);
+    } else if (keyword == "requiredtriangles") {
+      starts(required_triangles_, false);
     } else {
       const bool elements = keyword == "quadrilaterals" || keyword == "tetrahedra" || keyword == "hexahedra";
       if (elements && in_.count("the number of elements", 1) > 0) in_.fail("has elements that are not triangles");
@@ -89,7 +96,23 @@ class MeditMeshReader {
     }
   }
 
+  void read_required_parts() {
+    const auto read = [](Section& section, const char* what, int size) {
+      std::vector<int> numbers;
+      if (section.state == State::Missing) return numbers;
+      numbers.resize(static_cast<std::size_t>(section.start.count("the number of required entities", 1)));
+      for (int& number : numbers) number = section.start.index(what, 1, size);
+      return ascending(std::move(numbers));
+    };
+    mesh_.required.vertices = read(required_vertices_, "a required vertex", mesh_.num_vertices());
+    mesh_.required.edges = read(required_edges_, "a required edge", mesh_.num_edges());
+    mesh_.required.triangles = read(required_triangles_, "a required triangle", mesh_.num_triangles());
+  }
+
   TextReader in_;
+  Section required_vertices_{State::Missing, in_};
+  Section required_edges_{State::Missing, in_};
+  Section required_triangles_{State::Missing, in_};
   Section vertices_{State::Missing, in_};
   Section edges_{State::Missing, in_};
   Section triangles_{State::Missing, in_};
@@ -115,6 +138,12 @@ void write_triangles(OutputFile& out, const Mesh& mesh) {
   }
 }
 
+void write_numbers(OutputFile& out, const char* keyword, const std::vector<int>& numbers) {
+  if (numbers.empty()) return;
+  out << keyword << '\n' << numbers.size() << '\n';
+  for (const int number : numbers) out << number + 1 << '\n';
+}
+
 }  // namespace
 
 Mesh parse_medit(std::string_view text, const std::string& name) { return MeditMeshReader(text, name).read(); }
@@ -128,6 +157,9 @@ void write_medit(const std::string& path, const Mesh& mesh) {
   for (const Point& point : mesh.points) out << point.x << ' ' << point.y << " 0\n";
   write_edges(out, mesh);
   write_triangles(out, mesh);
+  write_numbers(out, "RequiredVertices", mesh.required.vertices);
+  write_numbers(out, "RequiredEdges", mesh.required.edges);
+  write_numbers(out, "RequiredTriangles", mesh.required.triangles);
   out << "End\n";
   out.commit();
 }

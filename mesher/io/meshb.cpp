@@ -1,4 +1,6 @@
 #include <cassert>
+#include <utility>
+#include <vector>
 
 #include "mesher/io/gmf.h"
 #include "mesher/io/medit.h"
@@ -35,6 +37,20 @@ void read_entities(GmfReader& in, GmfKeyword keyword, int num_vertices, std::vec
   in.require_end();
 }
 
+std::vector<int> read_numbers(GmfReader& in, GmfKeyword keyword, int size) {
+  if (!in.has(keyword)) return {};
+  std::vector<int> numbers(in.start(keyword, "the number of required entities", 1));
+  for (int& number : numbers) number = in.index("a required entity", size);
+  in.require_end();
+  return ascending(std::move(numbers));
+}
+
+void write_numbers(GmfWriter& out, GmfKeyword keyword, const std::vector<int>& numbers) {
+  if (numbers.empty()) return;
+  out.start(keyword, numbers.size(), sizeof(std::int32_t));
+  for (const int number : numbers) out.integer(number + 1);
+}
+
 void refuse_other_elements(GmfReader& in) {
   using enum GmfKeyword;
   for (const GmfKeyword keyword : {Quadrilaterals, Tetrahedra, Prisms, Hexahedra, Pyramids}) {
@@ -65,6 +81,9 @@ Mesh parse_meshb(std::string_view bytes, const std::string& name) {
   read_vertices(in, mesh);
   read_entities(in, GmfKeyword::Edges, mesh.num_vertices(), mesh.edges, mesh.labels);
   read_entities(in, GmfKeyword::Triangles, mesh.num_vertices(), mesh.triangles, mesh.regions);
+  mesh.required.vertices = read_numbers(in, GmfKeyword::RequiredVertices, mesh.num_vertices());
+  mesh.required.edges = read_numbers(in, GmfKeyword::RequiredEdges, mesh.num_edges());
+  mesh.required.triangles = read_numbers(in, GmfKeyword::RequiredTriangles, mesh.num_triangles());
   return mesh;
 }
 
@@ -73,7 +92,10 @@ Mesh read_meshb(const std::string& path) { return parse_meshb(read_file(path), p
 void write_meshb(const std::string& path, const Mesh& mesh) {
   assert(mesh.labels.size() == mesh.edges.size() && mesh.regions.size() == mesh.triangles.size());
   OutputFile file(path);
-  const std::size_t bytes = 20 * mesh.points.size() + 12 * mesh.edges.size() + 16 * mesh.triangles.size() + 100;
+  const RequiredParts& required = mesh.required;
+  const std::size_t num_required = required.vertices.size() + required.edges.size() + required.triangles.size();
+  const std::size_t bytes =
+      20 * mesh.points.size() + 12 * mesh.edges.size() + 16 * mesh.triangles.size() + 4 * num_required + 200;
   GmfWriter out(file, bytes);
   out.start(GmfKeyword::Vertices, mesh.points.size(), 2 * sizeof(double) + sizeof(std::int32_t));
   for (const Point& point : mesh.points) {
@@ -83,6 +105,9 @@ void write_meshb(const std::string& path, const Mesh& mesh) {
   }
   write_entities(out, GmfKeyword::Edges, mesh.edges, mesh.labels);
   write_entities(out, GmfKeyword::Triangles, mesh.triangles, mesh.regions);
+  write_numbers(out, GmfKeyword::RequiredVertices, required.vertices);
+  write_numbers(out, GmfKeyword::RequiredEdges, required.edges);
+  write_numbers(out, GmfKeyword::RequiredTriangles, required.triangles);
   out.finish();
   file.commit();
 }

@@ -85,6 +85,10 @@ int best_edge_count(double l) {
   return static_cast<int>(l * l > n * (n + 1.0) ? n + 1.0 : n);
 }
 
+int wanted_edges(const Segment& segment, const SegmentMeasure& measure) {
+  return segment.required ? 1 : best_edge_count(measure.total());
+}
+
 SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint) {
   constexpr int first_intervals = 32;
   constexpr double max_length = 0.25;
@@ -162,7 +166,7 @@ void Boundary::match_counts(ParticleSystem& particles) const {
   for_each_chain(all, [&](std::size_t first, std::size_t last) {
     const Segment& segment = particles.domain().segments[at(all[first].segment)];
     const SegmentMeasure& measure = measures_[at(all[first].segment)].front();
-    const int n = best_edge_count(measure.total());
+    const int n = wanted_edges(segment, measure);
     for (std::size_t i = first; i < last; ++i) {
       const int from = nearest_mark(measure, n, all[i].from);
       const int to = nearest_mark(measure, n, all[i].to);
@@ -188,7 +192,7 @@ std::vector<double> Boundary::targets(const ParticleSystem& particles) const {
   std::vector<double> targets(at(particles.mesh().num_slots()), std::numeric_limits<double>::quiet_NaN());
   for_each_chain(all, [&](std::size_t first, std::size_t last) {
     const SegmentMeasure& measure = measures_[at(all[first].segment)].front();
-    const int n = best_edge_count(measure.total());
+    const int n = wanted_edges(particles.domain().segments[at(all[first].segment)], measure);
     if (static_cast<int>(last - first) != n) return;
     for (int mark = 1; mark < n; ++mark) {
       const VertexId v = particles.mesh().org(all[first + at(mark)].edge);

@@ -47,6 +47,9 @@ class Boundary {
   std::vector<std::vector<SegmentMeasure>> measures_;  // none or one per domain segment
 };
 
+/// Number of edges that a segment is to have. A required one stays whole.
+int wanted_edges(const Segment& segment, const SegmentMeasure& measure);
+
 /// Number of edges for a segment of metric length l: n or n + 1, whichever ratio to l is nearer to 1.
 int best_edge_count(double l);
 

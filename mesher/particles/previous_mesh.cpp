@@ -81,6 +81,7 @@ std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const 
       if (e < 0 || segment_of[at(e)] >= 0) return std::nullopt;
       segment_of[at(e)] = static_cast<int>(s);
       v = mesh.edges[at(e)][0] == v ? mesh.edges[at(e)][1] : mesh.edges[at(e)][0];
+      if (domain.segments[s].required && v != last) return std::nullopt;
     }
   }
   const bool all = std::none_of(segment_of.begin(), segment_of.end(), [](int s) { return s < 0; });

@@ -9,8 +9,8 @@
 namespace parmesan {
 
 /// The domain segment that each edge of the mesh is a part of, if the mesh conforms to the domain:
-/// every domain point on a segment is a vertex, every segment a chain of edges, and no edge is left
-/// over. Nothing otherwise. Cost: O(b log b) in the number of edges.
+/// every domain point on a segment is a vertex, every segment a chain of edges, a required one a single edge, and no
+/// edge is left over. Nothing otherwise. Cost: O(b log b) in the number of edges.
 std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const Domain& domain);
 
 }  // namespace parmesan

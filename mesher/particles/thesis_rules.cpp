@@ -31,6 +31,11 @@ double length_of(const ParticleSystem& particles, EdgeId e, EdgeDistance distanc
                        particles.metric(mesh.dest(e)));
 }
 
+bool is_required(const ParticleSystem& particles, EdgeId e) {
+  const std::int32_t segment = particles.mesh().segment(e);
+  return segment >= 0 && particles.domain().segments[static_cast<std::size_t>(segment)].required;
+}
+
 }  // namespace
 
 bool is_to_be_annihilated(const ParticleSystem& particles, VertexId v, EdgeDistance distance) {
@@ -53,6 +58,7 @@ EdgeId edge_to_split(const ParticleSystem& particles, VertexId v, EdgeDistance d
   EdgeId best = no_edge;
   double best_gain = 0.0;
   for_each_spoke(mesh, v, [&](EdgeId e) {
+    if (is_required(particles, e)) return;
     const double gain =
         mesh.is_constrained(e)
             ? gain_of_split(length_of(particles, e, distance))

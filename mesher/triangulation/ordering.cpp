@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 #include "mesher/geometry/hilbert.h"
 
@@ -55,6 +56,13 @@ Mesh reordered(const Mesh& mesh, const MeshOrder& order) {
   }
   for (auto& edge : result.edges)
     for (int& v : edge) v = place[index(v)];
+  for (int& v : result.required.vertices) v = place[index(v)];
+  if (!result.required.triangles.empty()) {
+    const std::vector<int> triangle_place = inverse(order.triangles);
+    for (int& t : result.required.triangles) t = triangle_place[index(t)];
+  }
+  result.required.vertices = ascending(std::move(result.required.vertices));
+  result.required.triangles = ascending(std::move(result.required.triangles));
   return result;
 }
 

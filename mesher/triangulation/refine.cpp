@@ -46,11 +46,14 @@ Children children_of(const Corners& corners, const Corners& middle) {
   return children;
 }
 
-/// Which triangles are left whole, with their sides: those that rounded midpoints would turn over or flatten.
+/// Which sides are left whole: required edges, and the sides of triangles that rounded midpoints would turn over or
+/// flatten.
 class Rounding {
  public:
   Rounding(const Mesh& mesh, const std::vector<Corners>& neighbors)
       : mesh_(mesh), neighbors_(neighbors), whole_(mesh.triangles.size(), false) {
+    for (const int e : mesh.required.edges) required_.push_back(ends_of(mesh.edges[at(e)][0], mesh.edges[at(e)][1]));
+    std::sort(required_.begin(), required_.end());
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t t = 0; t < whole_.size(); ++t) {
@@ -62,13 +65,22 @@ class Rounding {
 
   bool cuts(std::size_t t, std::size_t k) const {
     const int other = neighbors_[t][k];
-    return !whole_[t] && !(other >= 0 && whole_[at(other)]);
+    return !whole_[t] && !(other >= 0 && whole_[at(other)]) && !is_required(t, k);
   }
 
  private:
   const Mesh& mesh_;
+  static std::array<int, 2> ends_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+  bool is_required(std::size_t t, std::size_t k) const {
+    if (required_.empty()) return false;
+    const Corners& corners = mesh_.triangles[t];
+    return std::binary_search(required_.begin(), required_.end(), ends_of(corners[(k + 1) % 3], corners[(k + 2) % 3]));
+  }
+
   const std::vector<Corners>& neighbors_;
   std::vector<bool> whole_;
+  std::vector<std::array<int, 2>> required_;  // ends of required edges, sorted
 
   bool spoils(std::size_t t) const {
     std::array<Point, 6> points;  // the corners, then the midpoints of the opposite sides
@@ -144,10 +156,14 @@ Mesh refine_red(const Mesh& mesh) {
                           children.triangles.begin() + children.count);
     fine.regions.insert(fine.regions.end(), children.count, mesh.regions[t]);
   }
+  fine.required.vertices = mesh.required.vertices;
+  std::vector<bool> is_required(mesh.edges.size(), false);
+  for (const int e : mesh.required.edges) is_required[at(e)] = true;
   const std::vector<int> edge_middle = edge_midpoints(mesh, middle);
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const auto& [a, b] = mesh.edges[i];
     const int m = edge_middle[i];
+    if (is_required[i]) fine.required.edges.push_back(fine.num_edges());
     if (m < 0) {
       fine.edges.push_back({a, b});
     } else {

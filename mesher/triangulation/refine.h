@@ -8,7 +8,8 @@ namespace parmesan {
 /// into two. Regions and labels are inherited; old vertices keep their numbers, a midpoint is
 /// numbered with the first triangle that has it. Shapes stay as they are. A triangle so small or flat
 /// that its rounded midpoints would flatten it or turn it over keeps its sides whole; its neighbors are
-/// cut in three or in two. Triangles that were positive stay so, exactly. Cost: O(n).
+/// cut in three or in two, as are those of required edges, which stay whole. Triangles that were positive stay so,
+/// exactly. Cost: O(n).
 Mesh refine_red(const Mesh& mesh);
 
 }  // namespace parmesan

@@ -244,3 +244,31 @@ TEST_CASE("the loop solves a problem whose solution jumps across a crack", "[ada
   CHECK(result.summary.iterations.back().solution_error->l2 < 0.004);
   CHECK(result.summary.iterations.back().interpolation_error->l2 < 0.002);
 }
+
+TEST_CASE("required regions keep the triangles of the first mesh through the loop", "[adapt][loop]") {
+  const Case input = parse_case(R"json({
+    "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}, "required": ["core"], "regions": {"core": [0.45, 0.45]},
+                 "points": [[0.9, 0.1]],
+                 "segments": [{"from": [0.3, 0.3], "to": [0.6, 0.4]}, {"from": [0.6, 0.4], "to": [0.5, 0.7]},
+                              {"from": [0.5, 0.7], "to": [0.3, 0.3]}]},
+    "problem": {"interpolate": "tanh(20*(x + y - 0.4))"}, "targets": {"vertices": 600, "max_iterations": 4},
+    "initial": {"vertices": 150}})json",
+                                "test.json");
+  std::vector<Mesh> meshes;
+  adapt(input, {.observer = [&meshes](const LoopState& state) { meshes.push_back(state.last.mesh); }});
+  REQUIRE(meshes.size() >= 3);
+  const auto core = [](const Mesh& mesh) {
+    std::vector<std::array<Point, 3>> triangles;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.regions[t] != 1) continue;
+      const auto corner = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
+      triangles.push_back({corner(0), corner(1), corner(2)});
+    }
+    return triangles;
+  };
+  for (const Mesh& mesh : meshes) {
+    CHECK(core(mesh) == core(meshes.front()));
+    CHECK(std::count(mesh.points.begin(), mesh.points.end(), Point{0.9, 0.1}) == 1);
+  }
+  CHECK(meshes.back().points != meshes.front().points);
+}

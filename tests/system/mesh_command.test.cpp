@@ -241,3 +241,25 @@ TEST_CASE("mesh --repair makes the planar subdivision of crossing segments, and 
   CHECK_THAT(result.err, Catch::Contains("1 crossing: 0 and 2 at (0.5, 0.5)"));
   CHECK(quality_of({folder / "a.mesh"}).at("vertices").get<int>() > 20);
 }
+
+TEST_CASE("mesh --freeze keeps the triangles of a region, and marks them in Medit files", "[system][mesh]") {
+  const TemporaryFolder folder;
+  // The unit square with a cross of triangles; region 2 is the upper one.
+  folder.write("in.mesh",
+               "MeshVersionFormatted 2\nDimension 2\nVertices 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n"
+               "Edges 4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\n"
+               "Triangles 4\n1 2 5 1\n2 3 5 1\n3 4 5 2\n4 1 5 1\nEnd\n");
+  const ProgramResult made =
+      run_program({"mesh", "in.mesh", "--freeze", "2", "--size", "0.1", "-o", "out.mesh"}, folder.path());
+  CHECK(made.exit_code == 0);
+  CHECK_THAT(made.err, Catch::Contains("required to stay"));
+  const std::string out = read_file(folder / "out.mesh");
+  CHECK_THAT(out, Catch::Contains("RequiredTriangles\n1\n"));
+  // What the file requires stays when it is meshed again.
+  CHECK(run_program({"mesh", "out.mesh", "--size", "0.05", "-o", "again.mesh", "-q"}, folder.path()).exit_code == 0);
+  CHECK_THAT(read_file(folder / "again.mesh"), Catch::Contains("RequiredTriangles\n1\n"));
+  const ProgramResult unknown =
+      run_program({"mesh", "in.mesh", "--freeze", "3", "--size", "0.1", "-o", "no.mesh"}, folder.path());
+  CHECK(unknown.exit_code == 4);
+  CHECK_THAT(unknown.err, Catch::Contains("there is no region '3'") && Catch::Contains("'1', '2'"));
+}

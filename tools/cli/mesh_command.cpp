@@ -9,6 +9,7 @@
 #include "adapt/io/png.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/generate_around.h"
 #include "mesher/io/eps.h"
 #include "mesher/io/evolution.h"
 #include "mesher/io/medit_fields.h"
@@ -44,7 +45,7 @@ struct MeshArguments {
   std::int64_t vertices = 0;  // that indicators are to be turned into
   double order = 2.0;         // of the error that indicators tell of
   MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
-  std::vector<std::string> outputs, voronoi;
+  std::vector<std::string> outputs, voronoi, frozen;
   std::string evolution;
   GenerateOptions mesher;
   bool repair = false;
@@ -167,6 +168,20 @@ void write_voronoi(const std::string& path, const Mesh& mesh) {
   write_any_mesh(path, cells);
 }
 
+bool keeps_triangles(const GeometryInput& geometry) {
+  return geometry.mesh && !geometry.mesh->required.triangles.empty();
+}
+
+// Around required triangles, where there are any: then the mesh that has them is the start.
+GenerateResult generated(const MeshArguments& arguments, const GeometryInput& geometry, const Inputs& inputs,
+                         const GenerateOptions& options) {
+  if (!keeps_triangles(geometry))
+    return generate(geometry.domain, inputs.metric(), options, inputs.previous ? &*inputs.previous : nullptr);
+  if (inputs.previous)
+    throw GeometryError("--from: " + arguments.geometry + " has required triangles and is itself the start");
+  return generate_around(*geometry.mesh, inputs.metric(), options);
+}
+
 ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
   for (const std::string& output : arguments.outputs) check_any_mesh_name(output);
@@ -175,12 +190,11 @@ ExitCode mesh(const MeshArguments& arguments) {
     print_error("--background requires --metric or --indicator");
     return ExitCode::Usage;
   }
-  const Domain domain = read_domain(arguments.geometry, arguments.repair);
-  const Inputs inputs = read_inputs(arguments, domain);
+  const GeometryInput geometry = read_geometry_to_mesh(arguments.geometry, arguments.repair, arguments.frozen);
+  const Inputs inputs = read_inputs(arguments, geometry.domain);
   std::optional<EvolutionWriter> evolution;
   if (!arguments.evolution.empty()) evolution.emplace(arguments.evolution);
-  const GenerateResult result = generate(domain, inputs.metric(), generate_options(arguments, inputs, evolution),
-                                         inputs.previous ? &*inputs.previous : nullptr);
+  const GenerateResult result = generated(arguments, geometry, inputs, generate_options(arguments, inputs, evolution));
   print_warnings(result.report.warnings);
   if (arguments.common.verbose) std::cerr << "complexity " << format_number(result.report.complexity) << std::endl;
   for (const std::string& output : arguments.outputs) write_any_mesh(output, result.mesh);
@@ -240,6 +254,10 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
       ->check(CLI::PositiveNumber)
       ->option_text("REACH");
   app.add_option("--from", arguments.from, "Start from the particles of this mesh")->option_text("MESH");
+  app.add_option("--freeze", arguments.frozen,
+                 "Regions of GEOMETRY, a mesh, whose triangles stay as they are, as do those that it requires (Medit)")
+      ->delimiter(',')
+      ->option_text("REGION,...");
 }
 
 void add_mesher_options(CLI::App& app, MeshArguments& arguments) {
