@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/geometry/segment_path.h"
+
 namespace parmesan {
 namespace {
 
@@ -21,8 +23,6 @@ bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.
 double metric_angle(const Vector& a, const Vector& b, const Metric& m) {
   return std::atan2(m.density() * std::abs(cross(a, b)), dot(a, m.tensor() * b));
 }
-
-int other_end(const Segment& s, int point) { return s.a == point ? s.b : s.a; }
 
 }  // namespace
 
@@ -93,9 +93,8 @@ bool ConstraintMap::face_across_sharp_corner(int a, int b, const Metric& metric)
       const Segment& t = domain_.segments[at(j)];
       for (const int corner : {s.a, s.b}) {
         if (i == j || (corner != t.a && corner != t.b) || is_at(a, corner) || is_at(b, corner)) continue;
-        const Point& p = domain_.points[at(corner)];
-        const Vector along_s = domain_.points[at(other_end(s, corner))] - p;
-        const Vector along_t = domain_.points[at(other_end(t, corner))] - p;
+        const Vector along_s = direction_from(domain_, s, corner);
+        const Vector along_t = direction_from(domain_, t, corner);
         if (metric_angle(along_s, along_t, metric) < sharp) return true;
       }
     }

@@ -1,9 +1,8 @@
 #include "mesher/delaunay_mesh.h"
 
-#include <numeric>
 #include <utility>
-#include <vector>
 
+#include "mesher/geometry/outline.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/triangulate.h"
 #include "mesher/user_labels.h"
@@ -12,10 +11,9 @@ namespace parmesan {
 
 DelaunayMesh delaunay_mesh(const Domain& domain) {
   CleanDomain cleaned = clean(domain);
-  std::vector<int> numbers(cleaned.domain.segments.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
+  const Outline outline = outline_of(cleaned.domain);
   DelaunayMesh result;
-  result.mesh = with_user_labels(to_mesh(triangulate(cleaned.domain), numbers).mesh, cleaned.domain).mesh;
+  result.mesh = with_user_labels(to_mesh(triangulate(outline.domain), outline.segments).mesh, cleaned.domain).mesh;
   result.repairs = std::move(cleaned.repairs);
   return result;
 }

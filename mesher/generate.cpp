@@ -7,8 +7,11 @@
 #include <string>
 
 #include "mesher/cracks.h"
+#include "mesher/curve_vertices.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/outline.h"
 #include "mesher/metric/complexity.h"
+#include "mesher/particles/boundary.h"
 #include "mesher/particles/error_descent.h"
 #include "mesher/particles/fast_schedule.h"
 #include "mesher/particles/metric_flips.h"
@@ -71,6 +74,8 @@ Mesh in_local_order(Mesh mesh) {
   return reordered(mesh, local_order(mesh));
 }
 
+Mesh refined(const Mesh& mesh, const Domain& domain) { return refine_red(mesh, middles_on_curves(mesh, domain)); }
+
 // The rules of population leave the density free by some percent, and refinement keeps it. It is put right on the
 // coarsest mesh, where that costs nothing, by asking for more or less than is wanted.
 void match_density(ParticleSystem& particles, const ParticleSystem::Level& level, const FastScheduleOptions& effort) {
@@ -122,7 +127,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
     relaxed = level == 0 ? taken_lower_in_error(particles, options.hessian) : taken_from(particles);
     if (level == 0) break;
     relaxed.mesh.required = required_parts(relaxed.mesh, domain);
-    relaxed.mesh = in_local_order(refine_red(relaxed.mesh));
+    relaxed.mesh = in_local_order(refined(relaxed.mesh, domain));
   }
   return relaxed;
 }
@@ -141,8 +146,18 @@ Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mes
   ParticleSystem particles(from_mesh(start, start.labels), domain, field);
   report.thesis =
       run_thesis_schedule(particles, options.particles, options.seed, options.max_vertices, options.observer);
+  split_distant_chords(particles);
   if (!report.thesis->settled) report.warnings.push_back(report.thesis->diagnosis);
   return taken_lower_in_error(particles, options.hessian);
+}
+
+// The previous mesh with its edges labelled with segments, if it conforms to the domain.
+std::optional<Mesh> fitted(const Mesh& previous, const Domain& domain) {
+  std::optional<std::vector<int>> segments = match_edges_to_segments(previous, domain);
+  if (!segments) return std::nullopt;
+  Mesh mesh = previous;
+  mesh.labels = std::move(*segments);
+  return put_on_curves(std::move(mesh), domain);
 }
 
 // Both sides of a crack have the metric of the particles on it.
@@ -158,34 +173,36 @@ std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metri
 GenerateResult generate(const Domain& user_domain, const MetricField& field, const GenerateOptions& options,
                         const Mesh* previous) {
   GenerateResult result;
+  if (!(options.chord_error > 0.0)) throw InputError("the chord error must be above 0");
   CleanDomain cleaned = clean(user_domain);
-  const Domain& domain = cleaned.domain;
+  Domain& domain = cleaned.domain;
+  const Outline outline = outline_of(domain);
+  limit_chord_errors(domain, outline, options.chord_error);
   result.report.warnings = std::move(cleaned.repairs);
   const FastScheduleOptions effort = fast_schedule_options(options);
   const bool by_thesis = options.schedule == Schedule::Thesis;
   validate(options.particles);
 
   StartChoice choice{.reason = "there is no previous mesh"};
-  std::optional<std::vector<int>> segments;
+  std::optional<Mesh> fit;
   std::optional<Mesh> closed;  // the particles of a crack are those of both its sides
   if (previous != nullptr && has_cracks(*previous)) previous = &closed.emplace(close_cracks(*previous).mesh);
   if (previous != nullptr) {
-    segments = match_edges_to_segments(*previous, domain);
+    fit = fitted(*previous, domain);
     choice.reason = "the previous mesh does not fit the geometry";
-    if (segments) choice = choose_start(*previous, field);
-    if (segments && by_thesis)
+    if (fit) choice = choose_start(*previous, field);
+    if (fit && by_thesis)
       choice = {Start::PreviousMesh, 0, choice.expected_vertices, "the thesis's schedule starts from any mesh"};
-    if (!segments) result.report.warnings.push_back(choice.reason + ": started from scratch");
+    if (!fit) result.report.warnings.push_back(choice.reason + ": started from scratch");
   }
   const bool from_scratch = choice.start == Start::Scratch;
-  Mesh start = from_scratch ? to_mesh(triangulate(domain), segment_numbers(domain)).mesh : *previous;
-  if (!from_scratch) start.labels = *segments;
+  Mesh start = from_scratch ? to_mesh(triangulate(outline.domain), outline.segments).mesh : std::move(*fit);
   start.required = required_parts(start, domain);
   const double expected =
       from_scratch ? expected_vertices(integrate_complexity(start, field)) : choice.expected_vertices;
   check_size(expected, options.max_vertices);
 
-  for (int i = 0; i < choice.refinements; ++i) start = refine_red(start);
+  for (int i = 0; i < choice.refinements; ++i) start = refined(start, domain);
   Relaxed relaxed;
   if (by_thesis)
     relaxed = mesh_by_thesis(domain, field, start, options, result.report);
@@ -202,6 +219,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain).mesh;
   result.report.complexity = integrate_complexity(result.mesh, result.metrics);
   validate(result.mesh);
+  require_no_crossings(result.mesh, domain);
   return result;
 }
 

@@ -30,6 +30,7 @@ struct GenerateOptions {
   ParticleOptions particles = {};          // forces and population
   std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
   std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
+  double chord_error = 0.01;               // how far edges may be from a curve, as a share of its extent, above 0
 
   // Signed second derivatives of a function, U / L^2, not owned. When given, the finished mesh is changed so that the
   // L2 error of the function's interpolant falls, and stays a unit mesh: see ErrorDescent.
@@ -60,6 +61,8 @@ struct GenerateResult {
 /// previous: an earlier mesh of the same domain; its particles are the start when it conforms to
 /// the domain and choose_start finds it near enough to the metric; the thesis's schedule starts from any that conforms.
 /// Otherwise the mesh is the one made without it. Same input, same bits. The mesh returned has passed validate().
+///
+/// Vertices on curved segments are on the curves.
 ///
 /// Errors: GeometryError for a domain that clean() refuses; LimitError when the integral of the
 /// metric asks for more than max_vertices; MeshingError when no valid mesh could be made.

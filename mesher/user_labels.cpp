@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/geometry/segment_path.h"
+
 namespace parmesan {
 namespace {
 
@@ -14,6 +16,9 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Does the edge of a mesh lead against the direction of its segment?
 bool is_against(const Mesh& mesh, const std::array<int, 2>& edge, const Domain& domain, const Segment& segment) {
+  if (!segment.is_straight())
+    return parameter_on(domain, segment, mesh.points[at(edge[1])]) <
+           parameter_on(domain, segment, mesh.points[at(edge[0])]);
   const Vector along = domain.points[at(segment.b)] - domain.points[at(segment.a)];
   return dot(mesh.points[at(edge[1])] - mesh.points[at(edge[0])], along) < 0.0;
 }

@@ -4,18 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "mesher/geometry/curve.h"
 #include "mesher/geometry/point.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
 
-/// One straight piece of the boundary, of an interior constraint or of a crack, between two domain points.
+/// One piece of the boundary, of an interior constraint or of a crack, between two domain points: straight, or along a
+/// curve.
 struct Segment {
   int a = 0;
   int b = 0;
   int label = 0;                        // of a crack: of the side to the left of a -> b
   std::optional<int> label_right = {};  // makes it a crack: the label of the other side
   bool required = false;                // stays whole: one edge of every mesh
+  int curve = -1;                       // the one of the domain's that begins at a and ends at b; -1: none
+  bool is_straight() const { return curve < 0; }
 };
 
 /// The piece of a segment between two points on it, in the segment's direction.
@@ -37,13 +41,14 @@ enum class Inside {
   EvenOdd     // faces that an odd number of segments separates from infinity
 };
 
-/// A planar straight-line graph: what is to be meshed.
+/// A planar graph of straight and curved segments: what is to be meshed.
 ///
-/// Every point becomes a vertex, every segment a chain of edges of the mesh; a crack two chains, one along each side,
-/// that share only its free ends (see cracks.h). Units: L.
+/// Every point becomes a vertex, every segment a chain of edges of the mesh with its vertices on the segment; a crack two
+/// chains, one along each side, that share only its free ends (see cracks.h). Units: L.
 struct Domain {
   std::vector<Point> points;
   std::vector<Segment> segments;
+  std::vector<Curve> curves;
   std::vector<Point> holes;
   std::vector<RegionSeed> regions;
   std::vector<int> required_points;  // that meshes are to mark as such; all points are kept
@@ -71,9 +76,13 @@ struct CleanDomain {
 /// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from 0; points made at crossings
 /// are numbered after them.
 ///
+/// Curved segments are split at kinks, in the middle if they begin and end in one point, and at points of the domain
+/// that lie on them to 1e-9 of their extent.
+///
 /// Errors: GeometryError for coordinates that are not finite or over 1e75, indices out of range,
 /// fewer than three non-collinear points, properly crossing segments (names both and the crossing
-/// point) unless they are to be split, segments that enclose no area (names an open end), a hole or region seed on a
+/// point) unless they are to be split and straight, curves that do not begin and end at their segment's points, to 1e-9
+/// of their extent, segments that enclose no area (names an open end), a hole or region seed on a
 /// segment. A seed outside of what the segments enclose is not looked for. Cost: O(n log n) expected.
 CleanDomain clean(const Domain& domain, Crossings crossings = Crossings::Refuse);
 

@@ -26,11 +26,30 @@ struct DomainRepair {
   void note(std::string_view verb, std::string_view noun, const std::vector<std::string>& items);
 };
 
+/// The straight ones of some segments, in their order.
+struct StraightSegments {
+  explicit StraightSegments(const std::vector<Segment>& all) {
+    for (int s = 0; s < static_cast<int>(all.size()); ++s) {
+      if (!all[static_cast<std::size_t>(s)].is_straight()) continue;
+      segments.push_back(all[static_cast<std::size_t>(s)]);
+      numbers.push_back(s);
+    }
+  }
+  int index(int straight) const { return numbers[static_cast<std::size_t>(straight)]; }
+
+  std::vector<Segment> segments;
+  std::vector<int> numbers;
+};
+
 /// Errors: GeometryError for indices out of range, coordinates that are not finite or over 1e75.
 void check_input(const Domain& domain);
 
 /// Equal points become the first of them; the order of the others stays.
 DomainRepair merge_duplicate_points(const Domain& domain);
+
+/// Splits curved segments in the middle if they end where they begin, at kinks, and at points on them.
+/// Errors: GeometryError for a segment whose curve does not begin and end at its points, and for a seed on a curve.
+DomainRepair split_curves(DomainRepair repair);
 
 /// Errors: GeometryError for fewer than three points or all on one line; for a diameter under 1e-75.
 void require_extent(const DomainRepair& repair);
@@ -45,11 +64,11 @@ void require_seeds_off_points(const DomainRepair& repair);
 /// Errors: GeometryError for a seed on a segment.
 DomainRepair split_at_inner_vertices(DomainRepair repair);
 
-/// Splits segments that cross where they do, until none is left: rounded crossing points turn the pieces a
+/// Splits straight segments that cross where they do, until none is left: rounded crossing points turn the pieces a
 /// little, which may make them cross others. No rounding is known that ends for sure, so rounds are counted.
 DomainRepair split_at_crossings(DomainRepair repair);
 
-/// Errors: GeometryError for segments that cross, with both and the point.
+/// Errors: GeometryError for segments that cross, with both and the point, and curved ones that touch.
 void refuse_crossings(const DomainRepair& repair);
 
 /// Notes chains that end freely. Errors: GeometryError, with an open end, when nothing is enclosed.

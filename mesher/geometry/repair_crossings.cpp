@@ -84,8 +84,13 @@ DomainRepair split_at_crossings(DomainRepair repair) {
   constexpr int max_rounds = 1000;  // a search ends after 1000 crossings
   std::vector<std::string> notes;
   for (int round = 0; round < max_rounds; ++round) {
-    const auto crossings = segment_crossings(repair.domain.points, repair.domain.segments);
+    const StraightSegments straight(repair.domain.segments);
+    auto crossings = segment_crossings(repair.domain.points, straight.segments);
     if (crossings.empty()) break;
+    for (auto& [s, t] : crossings) {
+      s = straight.index(s);
+      t = straight.index(t);
+    }
     const auto along = crossings_along(repair, crossings, notes);
     repair = split_at_inner_vertices(drop_repeated_segments(split_along(std::move(repair), along)));
   }

@@ -9,6 +9,7 @@
 #include "mesher/geometry/closest_pair.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/repair.h"
+#include "mesher/geometry/segment_path.h"
 
 namespace parmesan {
 
@@ -36,6 +37,13 @@ void check_end(int v, int num_points, int segment) {
   if (v >= 0 && v < num_points) return;
   throw GeometryError("segment " + text(segment) + " refers to point " + text(v) + "; the " + text(num_points) +
                           " points are numbered from 0",
+                      {segment});
+}
+
+void check_curve(int curve, int num_curves, int segment) {
+  if (curve >= -1 && curve < num_curves) return;
+  throw GeometryError("segment " + text(segment) + " refers to curve " + text(curve) + "; the " + text(num_curves) +
+                          " curves are numbered from 0",
                       {segment});
 }
 
@@ -104,7 +112,8 @@ void check_input(const Domain& domain) {
   index = 0;
   for (const Segment& s : domain.segments) {
     check_end(s.a, static_cast<int>(domain.points.size()), index);
-    check_end(s.b, static_cast<int>(domain.points.size()), index++);
+    check_end(s.b, static_cast<int>(domain.points.size()), index);
+    check_curve(s.curve, static_cast<int>(domain.curves.size()), index++);
   }
   for (const int v : domain.required_points) {
     if (v < 0 || v >= static_cast<int>(domain.points.size()))
@@ -140,7 +149,7 @@ DomainRepair merge_duplicate_points(const Domain& domain) {
 }
 
 void require_extent(const DomainRepair& repair) {
-  const std::vector<Point>& points = repair.domain.points;
+  const std::vector<Point> points = points_around(repair.domain);
   if (points.size() < 3) {
     throw GeometryError("a domain needs at least 3 different points; there are " + std::to_string(points.size()));
   }

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/outline.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
 
@@ -11,11 +14,11 @@ namespace parmesan {
 
 namespace {
 
-/// For each segment the lowest index of one that joins the same two points.
+/// For each segment the lowest index of one that joins the same two points in the same way.
 std::vector<int> first_between_same_points(const std::vector<Segment>& segments) {
   const auto ends = [&segments](int s) {
     const Segment& segment = segments[static_cast<std::size_t>(s)];
-    return std::pair(std::min(segment.a, segment.b), std::max(segment.a, segment.b));
+    return std::tuple(std::min(segment.a, segment.b), std::max(segment.a, segment.b), segment.curve);
   };
   std::vector<int> order(segments.size());
   std::iota(order.begin(), order.end(), 0);
@@ -124,8 +127,9 @@ DomainRepair drop_repeated_segments(DomainRepair repair) {
 
 DomainRepair split_at_inner_vertices(DomainRepair repair) {
   const int num_points = static_cast<int>(repair.domain.points.size());
-  const std::vector<std::array<int, 2>> contacts =
-      points_inside_segments(points_and_seeds(repair.domain), repair.domain.segments);
+  const StraightSegments straight(repair.domain.segments);
+  std::vector<std::array<int, 2>> contacts = points_inside_segments(points_and_seeds(repair.domain), straight.segments);
+  for (auto& contact : contacts) contact[0] = straight.index(contact[0]);
   if (contacts.empty()) return repair;
   const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
   const std::vector<int> sources = std::exchange(repair.segment_sources, {});
@@ -138,6 +142,11 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
       if (v >= num_points) refuse_seed(repair.domain, v - num_points, sources[s]);
       inner.push_back(v);
       split.push_back(text(sources[s]) + " at point " + text(repair.source_point(v)));
+    }
+    if (inner.empty()) {
+      repair.domain.segments.push_back(segments[s]);
+      repair.segment_sources.push_back(sources[s]);
+      continue;
     }
     const std::vector<int> chain = chain_along(repair, segments[s], std::move(inner));
     for (std::size_t k = 1; k < chain.size(); ++k) {
@@ -169,14 +178,36 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
   return repair;
 }
 
-void refuse_crossings(const DomainRepair& repair) {
-  const std::vector<std::array<int, 2>> crossings = segment_crossings(repair.domain.points, repair.domain.segments);
+namespace {
+
+void refuse_straight_crossings(const DomainRepair& repair) {
+  const StraightSegments straight(repair.domain.segments);
+  const std::vector<std::array<int, 2>> crossings = segment_crossings(repair.domain.points, straight.segments);
   if (crossings.empty()) return;
-  const auto [s, t] = crossings.front();
+  const int s = straight.index(crossings.front()[0]);
+  const int t = straight.index(crossings.front()[1]);
   throw GeometryError("segments " + text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) +
                           " cross at " + text(crossing_of(repair, s, t)) +
                           "; split both there (mesh --repair does) or move one",
                       {repair.source_segment(s), repair.source_segment(t)});
+}
+
+void refuse_curve_conflicts(const DomainRepair& repair) {
+  const std::optional<CurveConflict> conflict = find_outline(repair.domain).conflict;
+  if (!conflict) return;
+  const auto [s, t] = std::minmax({repair.source_segment(conflict->first), repair.source_segment(conflict->second)});
+  const std::string place = text(conflict->place);
+  if (s == t) throw GeometryError("the curve of segment " + text(s) + " crosses or touches itself at " + place, {s});
+  throw GeometryError("segments " + text(s) + " and " + text(t) + " cross or touch at " + place +
+                          "; curved segments may only meet at points of the domain",
+                      {s, t});
+}
+
+}  // namespace
+
+void refuse_crossings(const DomainRepair& repair) {
+  refuse_straight_crossings(repair);
+  refuse_curve_conflicts(repair);
 }
 
 DomainRepair require_enclosure(DomainRepair repair) {

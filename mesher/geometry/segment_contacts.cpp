@@ -171,13 +171,13 @@ class ContactSearch {
   }
 
   bool cross(int s, int t) const {
-    const Segment& first = segment(s);
-    const Segment& second = segment(t);
-    if (first.a == second.a || first.a == second.b || first.b == second.a || first.b == second.b) return false;
-    const Point& a = point(first.a);
-    const Point& b = point(first.b);
-    const Point& c = point(second.a);
-    const Point& d = point(second.b);
+    const Segment& ab = segment(s);
+    const Segment& cd = segment(t);
+    if (ab.a == cd.a || ab.a == cd.b || ab.b == cd.a || ab.b == cd.b) return false;
+    const Point& a = point(ab.a);
+    const Point& b = point(ab.b);
+    const Point& c = point(cd.a);
+    const Point& d = point(cd.b);
     return overlap(box_of(a, b), box_of(c, d)) && separates(a, b, c, d) && separates(c, d, a, b);
   }
 

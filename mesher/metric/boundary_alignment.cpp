@@ -8,7 +8,7 @@
 namespace parmesan {
 
 BoundaryAlignedField::BoundaryAlignedField(const MetricField& field, const Domain& domain, double reach)
-    : field_(field), domain_(domain), segments_(domain), reach_(reach) {
+    : field_(field), outline_(outline_of(domain).domain), segments_(outline_), reach_(reach) {
   if (!(reach > 0.0 && std::isfinite(reach))) throw InputError("the reach of the alignment must be positive");
 }
 
@@ -19,8 +19,8 @@ Metric BoundaryAlignedField::at(const Point& p, MetricHint& hint) const {
   if (nearest.segment < 0) return m;
   const double share = 1.0 - m.length(nearest.place - p) / reach_;
   if (share <= 0.0) return m;
-  const Segment& s = domain_.segments[static_cast<std::size_t>(nearest.segment)];
-  const Vector along = domain_.points[static_cast<std::size_t>(s.b)] - domain_.points[static_cast<std::size_t>(s.a)];
+  const Segment& s = outline_.segments[static_cast<std::size_t>(nearest.segment)];
+  const Vector along = outline_.points[static_cast<std::size_t>(s.b)] - outline_.points[static_cast<std::size_t>(s.a)];
   Eigen2 eigen = eigen_decomposition(m.tensor());
   double turn = std::atan2(cross(eigen.axis, along), dot(eigen.axis, along));
   turn -= 0.5 * std::numbers::pi * std::round(turn / (0.5 * std::numbers::pi));

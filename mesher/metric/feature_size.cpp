@@ -6,6 +6,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/geometry/outline.h"
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/metric/gradation.h"
 #include "mesher/triangulation/conversion.h"
@@ -110,7 +111,7 @@ BackgroundMesh feature_size_field(const Domain& user_domain, const FeatureSizeOp
   require(options.fraction > 0.0 && options.fraction <= 1.0, "fraction must be positive and 1 at most");
   require(options.growth > 1.0 && std::isfinite(options.growth), "growth must be above 1");
   require(options.h_max >= 0.0 && std::isfinite(options.h_max), "h_max must be positive, or 0");
-  const Domain domain = clean(user_domain).domain;
+  const Domain domain = outline_of(clean(user_domain).domain).domain;
   Sampler sampler(domain, options.fraction,
                   options.h_max > 0.0 ? options.h_max : 0.1 * bounding_diagonal(domain.points));
   sampler.sample_segments();

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/geometry/segment_path.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/population.h"
 
@@ -21,14 +22,6 @@ struct ChainEdge {
   EdgeId edge;  // directed along the segment
 };
 
-double parameter_on(const Domain& domain, int segment, const Point& p) {
-  const Point& a = domain.points[at(domain.segments[at(segment)].a)];
-  const Point& b = domain.points[at(domain.segments[at(segment)].b)];
-  if (p == a) return 0.0;
-  if (p == b) return 1.0;
-  return dot(p - a, b - a) / squared_norm(b - a);
-}
-
 std::vector<ChainEdge> chains(const ParticleSystem& particles) {
   const Triangulation& mesh = particles.mesh();
   std::vector<ChainEdge> all;
@@ -36,8 +29,9 @@ std::vector<ChainEdge> chains(const ParticleSystem& particles) {
     const EdgeId e{4 * q};
     if (!mesh.is_alive(q) || !mesh.is_constrained(e)) continue;
     const int s = mesh.segment(e);
-    const double from = parameter_on(particles.domain(), s, mesh.point(mesh.org(e)));
-    const double to = parameter_on(particles.domain(), s, mesh.point(mesh.dest(e)));
+    const Segment& segment = particles.domain().segments[at(s)];
+    const double from = parameter_on(particles.domain(), segment, mesh.point(mesh.org(e)));
+    const double to = parameter_on(particles.domain(), segment, mesh.point(mesh.dest(e)));
     all.push_back(from < to ? ChainEdge{s, from, to, e} : ChainEdge{s, to, from, sym(e)});
   }
   std::sort(all.begin(), all.end(), [](const ChainEdge& a, const ChainEdge& b) {
@@ -78,6 +72,16 @@ bool can_split_at(const Triangulation& mesh, EdgeId e, const Point& p) {
   return true;
 }
 
+// Edges per parameter on a curve, d its derivative there. From its ends a chord of tangential length l, along which
+// the curve with its metric turns, is seen to be sqrt(l^2 + (b l^2)^2) long, where b = curvature / 2 times the square
+// of the tangential size over the size across it. At l = 1 / f that is 1.
+double density_on_curve(double curvature, const Vector& d, const Metric& m) {
+  const double length = m.length(d);
+  if (!(length > 0.0)) return 0.0;
+  const double b = 0.5 * curvature * m.density() * std::pow(norm(d) / length, 3.0);
+  return length * std::sqrt(0.5 * (1.0 + std::sqrt(1.0 + 4.0 * b * b)));
+}
+
 }  // namespace
 
 int best_edge_count(double l) {
@@ -86,7 +90,7 @@ int best_edge_count(double l) {
 }
 
 int wanted_edges(const Segment& segment, const SegmentMeasure& measure) {
-  return segment.required ? 1 : best_edge_count(measure.total());
+  return segment.required ? 1 : measure.num_edges();
 }
 
 SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint) {
@@ -94,9 +98,16 @@ SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& s
   constexpr double max_length = 0.25;
   constexpr double max_curvature = 0.01;  // of the density, relative to its mean
   constexpr double smallest = 1e-12;
-  const Point& a = particles.domain().points[at(segment.a)];
-  const Point& b = particles.domain().points[at(segment.b)];
-  const auto density = [&](double t) { return particles.evaluate(lerp(a, b, t), hint).length(b - a); };
+  const Domain& domain = particles.domain();
+  const auto density = [&](double t) {
+    const Metric m = particles.evaluate(point_on(domain, segment, t), hint);
+    const Vector d = derivative_on(domain, segment, t);
+    if (segment.is_straight()) return m.length(d);
+    const double least = domain.curves[at(segment.curve)].least_density(t);
+    const double of_metric = density_on_curve(domain.curves[at(segment.curve)].curvature(t), d, m);
+    is_limited_ = is_limited_ || least > of_metric;
+    return std::max(of_metric, least);
+  };
   struct Interval {
     double from, to, density_from, density_to;
   };
@@ -142,6 +153,11 @@ double interpolate(const std::vector<double>& x, const std::vector<double>& y, d
 
 }  // namespace
 
+int SegmentMeasure::num_edges() const {
+  constexpr double rounding = 1e-9;
+  return is_limited_ ? static_cast<int>(std::ceil(total() * (1.0 - rounding))) : best_edge_count(total());
+}
+
 double SegmentMeasure::coordinate_at(double t) const { return interpolate(parameters_, coordinates_, t); }
 double SegmentMeasure::parameter_at(double s) const { return interpolate(coordinates_, parameters_, s); }
 
@@ -172,8 +188,7 @@ void Boundary::match_counts(ParticleSystem& particles) const {
       const int to = nearest_mark(measure, n, all[i].to);
       if (from == to) superfluous.push_back(all[i].edge);
       for (int mark = to - 1; mark > from; --mark) {
-        const Point p = lerp(particles.domain().points[at(segment.a)], particles.domain().points[at(segment.b)],
-                             mark_parameter(measure, n, mark));
+        const Point p = point_on(particles.domain(), segment, mark_parameter(measure, n, mark));
         if (can_split_at(mesh, all[i].edge, p)) legalize_later(particles.create_on_edge(all[i].edge, p));
       }
     }
@@ -200,6 +215,66 @@ std::vector<double> Boundary::targets(const ParticleSystem& particles) const {
     }
   });
   return targets;
+}
+
+namespace {
+
+// The largest distance of the arc between two parameters from its chord, at some points.
+double chord_error(const Curve& curve, double from, double to) {
+  constexpr int parts = 8;
+  const Point a = curve.at(from);
+  const Point b = curve.at(to);
+  double largest = 0.0;
+  for (int i = 1; i < parts; ++i) {
+    const Point p = curve.at(from + (to - from) * i / parts);
+    largest = std::max(largest, std::abs(cross(b - a, p - a)) / norm(b - a));
+  }
+  return largest;
+}
+
+}  // namespace
+
+bool may_leave_curve(const ParticleSystem& particles, VertexId v) {
+  const Domain& domain = particles.domain();
+  const Triangulation& mesh = particles.mesh();
+  if (particles.binding(v) < 0) return true;
+  const Segment& s = domain.segments[at(particles.binding(v))];
+  if (s.is_straight()) return true;
+  double from = 1.0;
+  double to = 0.0;
+  for_each_spoke(mesh, v, [&](EdgeId e) {
+    if (!mesh.is_constrained(e)) return;
+    const double t = parameter_on(domain, s, mesh.point(mesh.dest(e)));
+    from = std::min(from, t);
+    to = std::max(to, t);
+  });
+  const Curve& curve = domain.curves[at(s.curve)];
+  return chord_error(curve, from, to) <= curve.chord_error();
+}
+
+int split_distant_chords(ParticleSystem& particles) {
+  constexpr int max_passes = 20;
+  const Domain& domain = particles.domain();
+  if (domain.curves.empty()) return 0;
+  int splits = 0;
+  for (int pass = 0; pass < max_passes; ++pass) {
+    const int before = splits;
+    std::vector<EdgeId> stack;
+    for (const ChainEdge& e : chains(particles)) {
+      const Segment& s = domain.segments[at(e.segment)];
+      if (s.is_straight()) continue;
+      const Curve& curve = domain.curves[at(s.curve)];
+      if (chord_error(curve, e.from, e.to) <= curve.chord_error()) continue;
+      const Point p = curve.at(0.5 * (e.from + e.to));
+      if (!can_split_at(particles.mesh(), e.edge, p)) continue;
+      const VertexId v = particles.create_on_edge(e.edge, p);
+      for_each_spoke(particles.mesh(), v, [&](EdgeId spoke) { stack.push_back(particles.mesh().lnext(spoke)); });
+      ++splits;
+    }
+    legalize(particles, stack, 100 * static_cast<long>(stack.size()));
+    if (splits == before) break;
+  }
+  return splits;
 }
 
 }  // namespace parmesan

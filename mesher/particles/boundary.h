@@ -6,8 +6,9 @@
 
 namespace parmesan {
 
-/// Metric arc length along one domain segment, tabulated: s(t) = integral of sqrt(d^T M d) from its
-/// first point to parameter t in [0, 1].
+/// Metric arc length along one domain segment, tabulated: s(t) = integral of sqrt(d^T M d), d the derivative by t,
+/// from its first point to parameter t in [0, 1]. Along a curve it grows at least as fast as the number of edges that
+/// the limit of its chord error asks for.
 class SegmentMeasure {
  public:
   /// Adaptive quadrature of the field at the level of the particles: intervals are halved until
@@ -16,12 +17,17 @@ class SegmentMeasure {
   SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint = -1);
 
   double total() const { return coordinates_.back(); }
+
+  /// How many edges the segment is to have: as best_edge_count says, but none longer than 1 where chord errors limit
+  /// them.
+  int num_edges() const;
   double coordinate_at(double t) const;
   double parameter_at(double s) const;
 
  private:
   std::vector<double> parameters_;
   std::vector<double> coordinates_;
+  bool is_limited_ = false;  // by chord errors, somewhere
 };
 
 /// The 1-D rule of population and motion on segments, solved exactly: a segment of metric length L
@@ -52,5 +58,13 @@ int wanted_edges(const Segment& segment, const SegmentMeasure& measure);
 
 /// Number of edges for a segment of metric length l: n or n + 1, whichever ratio to l is nearer to 1.
 int best_edge_count(double l);
+
+/// May a particle on a curve go: is the edge that takes the place of its two near enough to the curve?
+/// True for other particles. Cost: that of two searches of nearest points.
+bool may_leave_curve(const ParticleSystem& particles, VertexId v);
+
+/// Splits edges that are farther from their curve than its chord error allows, where the triangulation lets them be,
+/// for what motion could not bring to its place. Legalizes around each. Returns how many.
+int split_distant_chords(ParticleSystem& particles);
 
 }  // namespace parmesan

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "mesher/geometry/segment_path.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/triangle_error.h"
@@ -64,14 +65,15 @@ Vector step_along(const Vector& d, const ErrorJet& error, const Metric& m) {
 
 // The segment that a bound particle slides on.
 struct Track {
-  Point a, b;
-  Point nearest_to(const Point& p) const { return lerp(a, b, dot(p - a, b - a) / squared_norm(b - a)); }
+  const Domain& domain;
+  const Segment& segment;
+  Vector direction_at(const Point& p) const { return derivative_on(domain, segment, parameter_on(domain, segment, p)); }
+  Point nearest_to(const Point& p) const { return point_on(domain, segment, parameter_on(domain, segment, p)); }
 };
 
 Track track_of(const ParticleSystem& particles, VertexId v) {
   const Domain& domain = particles.domain();
-  const Segment& s = domain.segments[static_cast<std::size_t>(particles.binding(v))];
-  return {domain.points[static_cast<std::size_t>(s.a)], domain.points[static_cast<std::size_t>(s.b)]};
+  return {domain, domain.segments[static_cast<std::size_t>(particles.binding(v))]};
 }
 
 double quality(const ParticleSystem& particles, VertexId a, VertexId b, VertexId c) {
@@ -137,8 +139,8 @@ bool ErrorDescent::descend(VertexId v) {
   const Metric& m = particles_.metric(v);
   const ErrorJet error = around_.jet(from, hessian(v));
   std::optional<Track> track;
-  if (!particles_.is_free(v)) track = track_of(particles_, v);
-  Vector step = track ? step_along(track->b - track->a, error, m) : free_step(error, m);
+  if (!particles_.is_free(v)) track.emplace(track_of(particles_, v));
+  Vector step = track ? step_along(track->direction_at(from), error, m) : free_step(error, m);
   if (!std::isfinite(squared_norm(step))) return false;
   for (int i = 0; i < max_tries; ++i, step = 0.5 * step) {
     const Point to = track ? track->nearest_to(from + step) : from + step;

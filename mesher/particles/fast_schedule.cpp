@@ -106,6 +106,7 @@ void FastSchedule::run() {
   relax(blocks, options_.final_apex_sweeps, {.motion = Motion::IdealApex, .momentum = momentum});
   for (int i = 0; i < options_.repairs; ++i) repair_places(particles_);
   if (options_.repairs > 0) mend_chords(particles_);
+  split_distant_chords(particles_);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mesher/geometry/segment_path.h"
 #include "mesher/parallel.h"
 #include "mesher/particles/forces.h"
 #include "mesher/particles/metric_flips.h"
@@ -13,15 +14,19 @@
 
 namespace parmesan {
 
-bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step, Update update) {
+namespace {
+
+// place: where the particle would be after a share of the step.
+template <class Place>
+bool try_places(ParticleSystem& particles, const Star& star, VertexId v, Place place, Update update) {
   constexpr double good_enough = 0.3;
   constexpr int max_tries = 4;
   const Point& from = particles.mesh().point(v);
   const Metric& metric = particles.metric(v);
   double before = -2.0;  // computed when first needed
-  Vector d = step;
-  for (int i = 0; i < max_tries; ++i, d = 0.5 * d) {
-    const Point to = from + d;
+  double share = 1.0;
+  for (int i = 0; i < max_tries; ++i, share *= 0.5) {
+    const Point to = place(share);
     if (!star.has_quality(good_enough, to, metric)) {
       if (before < -1.0) before = star.min_quality(from, metric);
       const double after = star.min_quality(to, metric);
@@ -37,15 +42,27 @@ bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vec
   return false;
 }
 
-namespace {
+}  // namespace
 
-Vector towards_target(const ParticleSystem& particles, VertexId v, double target) {
+bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step, Update update) {
+  const Point from = particles.mesh().point(v);
+  return try_places(
+      particles, star, v, [&](double share) { return from + share * step; }, update);
+}
+
+bool try_slide(ParticleSystem& particles, const Star& star, VertexId v, double target, Update update) {
   const Domain& domain = particles.domain();
   const Segment& s = domain.segments[static_cast<std::size_t>(particles.binding(v))];
-  const Point& a = domain.points[static_cast<std::size_t>(s.a)];
-  const Point& b = domain.points[static_cast<std::size_t>(s.b)];
-  return lerp(a, b, target) - particles.mesh().point(v);
+  const Point from = particles.mesh().point(v);
+  const Point end = point_on(domain, s, target);
+  if (end == from) return false;
+  if (s.is_straight()) return try_move(particles, star, v, end - from, update);
+  const double t = parameter_on(domain, s, from);
+  return try_places(
+      particles, star, v, [&](double share) { return point_on(domain, s, t + share * (target - t)); }, update);
 }
+
+namespace {
 
 /// Steps by the forces of the thesis that are not the usual ones.
 class GeneralForces {
@@ -122,14 +139,20 @@ bool Visitor::visit(VertexId v) {
   if (std::isnan(target)) return true;
   if (!star_.gather_within(territory_, particles_, v)) return false;
   const Point from = particles_.mesh().point(v);
-  const std::optional<Vector> step = is_free ? free_step(v) : towards_target(particles_, v, target);
+  const std::optional<Vector> step = is_free ? free_step(v) : Vector{};
   if (!step) return false;
-  const bool moved = *step != Vector{} && try_move(particles_, star_, v, *step, options_.update);
+  const bool moved = is_free ? *step != Vector{} && try_move(particles_, star_, v, *step, options_.update)
+                             : try_slide(particles_, star_, v, target, options_.update);
   particles_.set_velocity(v, particles_.mesh().point(v) - from);
   if (options_.update == Update::Later) return true;
   if (!moved) particles_.move(v, from);  // it may have come here in a sweep that did not update
   flip_spokes(v);
   return true;
+}
+
+bool Visitor::try_move_freely(VertexId v) {
+  const Vector step = free_step(particles_, star_, v, options_);
+  return step != Vector{} && try_move(particles_, star_, v, step, options_.update);
 }
 
 // Flips the spokes that fail the in-circle test with v where it is now. A spoke and its reverse are

@@ -16,6 +16,9 @@ enum class Update { Now, Later };
 /// quality of at least 0.3, or the worst of them has become better. Returns whether it moved.
 bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step, Update update);
 
+/// Moves v along its segment towards the target, in the same way; on a curve it is always on it.
+bool try_slide(ParticleSystem& particles, const Star& star, VertexId v, double target, Update update);
+
 /// What moves the free particles in a sweep.
 enum class Motion { Force, IdealApex };
 

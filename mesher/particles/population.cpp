@@ -119,8 +119,18 @@ int create_particles(ParticleSystem& particles, const PopulationRules& rules, st
   return created;
 }
 
+bool keeps_constraints_apart(const Triangulation& mesh, EdgeId e) {
+  for (const EdgeId side : {e, sym(e)}) {
+    const EdgeId second = mesh.lnext(side);
+    const EdgeId third = mesh.lnext(second);
+    if (mesh.lnext(third) == side && mesh.is_constrained(second) && mesh.is_constrained(third)) return false;
+  }
+  return true;
+}
+
 bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
   Triangulation& mesh = particles.mesh();
+  if (!keeps_constraints_apart(mesh, e)) return false;
   Star star;
   for (const EdgeId side : {e, sym(e)}) {
     const VertexId v = mesh.org(side);

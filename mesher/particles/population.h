@@ -38,6 +38,10 @@ double population_demand(const ParticleSystem& particles, const PopulationRules&
 /// particles, though each edge alone may be within the rules. Estimated like the demand, boundaries aside.
 double area_per_particle(const ParticleSystem& particles);
 
+/// Would collapsing e keep the constrained edges apart? Two of them would become one if they are the other sides of a
+/// triangle beside e, inside the domain or a hole. That happens on curves only. Cost: O(1).
+bool keeps_constraints_apart(const Triangulation& mesh, EdgeId e);
+
 /// Collapses one end of e into the other if that leaves valid triangles; a fixed particle stays, a
 /// bound one goes only along its own segment. Returns whether it did.
 bool collapse_if_valid(ParticleSystem& particles, EdgeId e);

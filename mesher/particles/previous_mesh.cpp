@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "mesher/geometry/segment_path.h"
+
 namespace parmesan {
 namespace {
 
@@ -64,6 +66,23 @@ int next_along(const Mesh& mesh, const Incidence& at_vertex, int v, const Point&
   return -1;
 }
 
+// The same along a curve: of the edges whose other end is farther along, the one where that is nearest.
+int next_along_curve(const Mesh& mesh, const Incidence& at_vertex, int v, const Domain& domain, const Segment& s) {
+  const double max_offset = 1e-6 * domain.curves[at(s.curve)].extent();
+  const double from = parameter_on(domain, s, mesh.points[at(v)]);
+  double nearest = 2.0;
+  int next = -1;
+  for (int k = at_vertex.start[at(v)]; k < at_vertex.start[at(v) + 1]; ++k) {
+    const int e = at_vertex.edges[at(k)];
+    const Point& p = mesh.points[at(mesh.edges[at(e)][0] == v ? mesh.edges[at(e)][1] : mesh.edges[at(e)][0])];
+    const double t = parameter_on(domain, s, p);
+    if (t <= from || t >= nearest || norm(point_on(domain, s, t) - p) > max_offset) continue;
+    nearest = t;
+    next = e;
+  }
+  return next;
+}
+
 }  // namespace
 
 std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const Domain& domain) {
@@ -71,13 +90,15 @@ std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const 
   const VertexFinder finder(mesh);
   std::vector<int> segment_of(mesh.edges.size(), -1);
   for (std::size_t s = 0; s < domain.segments.size(); ++s) {
-    const Point& p = domain.points[at(domain.segments[s].a)];
-    const Point& q = domain.points[at(domain.segments[s].b)];
+    const Segment& segment = domain.segments[s];
+    const Point& p = domain.points[at(segment.a)];
+    const Point& q = domain.points[at(segment.b)];
     const int last = finder.find(q);
     int v = finder.find(p);
     if (v < 0 || last < 0) return std::nullopt;
     while (v != last) {
-      const int e = next_along(mesh, at_vertex, v, p, q);
+      const int e = segment.is_straight() ? next_along(mesh, at_vertex, v, p, q)
+                                          : next_along_curve(mesh, at_vertex, v, domain, segment);
       if (e < 0 || segment_of[at(e)] >= 0) return std::nullopt;
       segment_of[at(e)] = static_cast<int>(s);
       v = mesh.edges[at(e)][0] == v ? mesh.edges[at(e)][1] : mesh.edges[at(e)][0];

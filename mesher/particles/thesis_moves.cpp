@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/geometry/segment_path.h"
 #include "mesher/metric/metric_length.h"
+#include "mesher/particles/boundary.h"
 #include "mesher/particles/circumcentre.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/star.h"
@@ -37,14 +39,23 @@ bool is_star_valid(const Triangulation& t, VertexId v, const Point& p) {
   return valid;
 }
 
-// Where a particle that wants to go to p comes to lie: a bound one on its segment, computed from the segment's ends
+// Where a particle that wants to go to p comes to lie: a bound one on its segment, computed from its parameter there
 // so that it does not drift off.
 Point bound_place(const ParticleSystem& particles, VertexId v, const Point& p) {
   if (particles.is_free(v)) return p;
-  const Segment& s = particles.domain().segments[static_cast<std::size_t>(particles.binding(v))];
-  const Point& a = particles.domain().points[static_cast<std::size_t>(s.a)];
-  const Point& b = particles.domain().points[static_cast<std::size_t>(s.b)];
-  return lerp(a, b, std::clamp(dot(p - a, b - a) / squared_norm(b - a), 0.0, 1.0));
+  const Domain& domain = particles.domain();
+  const Segment& s = domain.segments[static_cast<std::size_t>(particles.binding(v))];
+  return point_on(domain, s, std::clamp(parameter_on(domain, s, p), 0.0, 1.0));
+}
+
+// The middle of an edge, on the curve that it is a part of.
+Point middle_of(const ParticleSystem& particles, EdgeId e) {
+  const Triangulation& mesh = particles.mesh();
+  const Domain& domain = particles.domain();
+  const Point p = midpoint(mesh.point(mesh.org(e)), mesh.point(mesh.dest(e)));
+  if (!mesh.is_constrained(e)) return p;
+  const Segment& s = domain.segments[static_cast<std::size_t>(mesh.segment(e))];
+  return s.is_straight() ? p : point_on(domain, s, parameter_on(domain, s, p));
 }
 
 // Removal and insertion: the freed slot is the one used again, so that v keeps its number.
@@ -101,7 +112,7 @@ VertexId create_at(ParticleSystem& particles, EdgeId e, CreationPlace place) {
   VertexId v = no_vertex;
   if (place == CreationPlace::Circumcentre && !mesh.is_constrained(e)) v = create_at_circumcentre(particles, e);
   if (v == no_vertex) {
-    const Point p = midpoint(mesh.point(mesh.org(e)), mesh.point(mesh.dest(e)));
+    const Point p = middle_of(particles, e);
     if (!can_split(mesh, e, p)) return no_vertex;
     v = particles.create_on_edge(e, p);
   }
@@ -121,6 +132,7 @@ EdgeId edge_to_collapse(const ParticleSystem& particles, VertexId v) {
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Star::Spoke& s = star.spoke(i);
     if (!particles.is_free(v) && mesh.segment(s.edge) != particles.binding(v)) continue;
+    if (!keeps_constraints_apart(mesh, s.edge)) continue;
     const double length = squared_length_in_mean(s.point - mesh.point(v), particles.metric(v), s.metric);
     if (nearest != no_edge && length >= smallest) continue;
     if (star.quality_after_collapse(s.edge) <= 0.0) continue;
@@ -138,6 +150,7 @@ bool annihilate(ParticleSystem& particles, VertexId v, Annihilation how) {
     legalize(mesh, remove_star(mesh, v), MetricInCircle{particles}, max_flips);
     return true;
   }
+  if (!may_leave_curve(particles, v)) return false;
   const EdgeId e = edge_to_collapse(particles, v);
   if (e == no_edge) return false;
   const VertexId heir = mesh.dest(e);

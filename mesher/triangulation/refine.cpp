@@ -46,12 +46,45 @@ Children children_of(const Corners& corners, const Corners& middle) {
   return children;
 }
 
-/// Which sides are left whole: required edges, and the sides of triangles that rounded midpoints would turn over or
-/// flatten.
+/// Where sides are cut: in the middle, or where it is said of the edge that they are.
+class Middles {
+ public:
+  Middles(const Mesh& mesh, std::span<const EdgeMiddle> of_edges) : mesh_(mesh), special_(mesh.points.size(), false) {
+    for (const EdgeMiddle& m : of_edges) {
+      const auto [low, high] = std::minmax(mesh.edges[at(m.edge)][0], mesh.edges[at(m.edge)][1]);
+      special_[at(low)] = special_[at(high)] = true;
+      sides_.push_back({low, high, m.place});
+    }
+    std::sort(sides_.begin(), sides_.end(), comes_first);
+  }
+
+  Point of(int a, int b) const {
+    const Point middle = midpoint(mesh_.points[at(a)], mesh_.points[at(b)]);
+    if (!special_[at(a)] || !special_[at(b)]) return middle;
+    const Side side{std::min(a, b), std::max(a, b), middle};
+    const auto found = std::lower_bound(sides_.begin(), sides_.end(), side, comes_first);
+    return found != sides_.end() && !comes_first(side, *found) ? found->middle : middle;
+  }
+
+ private:
+  struct Side {
+    int low;
+    int high;
+    Point middle;
+  };
+  static bool comes_first(const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; }
+
+  const Mesh& mesh_;
+  std::vector<bool> special_;  // vertices of the edges below
+  std::vector<Side> sides_;
+};
+
+/// Which sides are left whole: required edges, and the sides of triangles that their sides' middles would turn over or
+/// flatten, rounded or on curves as they are.
 class Rounding {
  public:
-  Rounding(const Mesh& mesh, const std::vector<Corners>& neighbors)
-      : mesh_(mesh), neighbors_(neighbors), whole_(mesh.triangles.size(), false) {
+  Rounding(const Mesh& mesh, const std::vector<Corners>& neighbors, const Middles& middles)
+      : mesh_(mesh), neighbors_(neighbors), middles_(middles), whole_(mesh.triangles.size(), false) {
     for (const int e : mesh.required.edges) required_.push_back(ends_of(mesh.edges[at(e)][0], mesh.edges[at(e)][1]));
     std::sort(required_.begin(), required_.end());
     for (bool changed = true; changed;) {
@@ -79,6 +112,7 @@ class Rounding {
   }
 
   const std::vector<Corners>& neighbors_;
+  const Middles& middles_;
   std::vector<bool> whole_;
   std::vector<std::array<int, 2>> required_;  // ends of required edges, sorted
 
@@ -87,7 +121,7 @@ class Rounding {
     Corners middle{-1, -1, -1};
     for (std::size_t k = 0; k < 3; ++k) points[k] = mesh_.points[at(mesh_.triangles[t][k])];
     for (std::size_t k = 0; k < 3; ++k) {
-      points[3 + k] = midpoint(points[(k + 1) % 3], points[(k + 2) % 3]);
+      points[3 + k] = middles_.of(mesh_.triangles[t][(k + 1) % 3], mesh_.triangles[t][(k + 2) % 3]);
       if (cuts(t, k)) middle[k] = static_cast<int>(3 + k);
     }
     const Children children = children_of({0, 1, 2}, middle);
@@ -99,9 +133,9 @@ class Rounding {
 };
 
 // The new vertex on the side opposite to each corner of each triangle, -1 where there is none; appends the points.
-std::vector<Corners> number_midpoints(const Mesh& mesh, std::vector<Point>& points) {
+std::vector<Corners> number_midpoints(const Mesh& mesh, const Middles& middles, std::vector<Point>& points) {
   const auto neighbors = triangle_neighbors(mesh);
-  const Rounding rounding(mesh, neighbors);
+  const Rounding rounding(mesh, neighbors, middles);
   std::vector<Corners> middle(mesh.triangles.size(), {-1, -1, -1});
   for (std::size_t t = 0; t < middle.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -113,8 +147,7 @@ std::vector<Corners> number_midpoints(const Mesh& mesh, std::vector<Point>& poin
         continue;
       }
       middle[t][k] = static_cast<int>(points.size());
-      points.push_back(
-          midpoint(mesh.points[at(mesh.triangles[t][(k + 1) % 3])], mesh.points[at(mesh.triangles[t][(k + 2) % 3])]));
+      points.push_back(middles.of(mesh.triangles[t][(k + 1) % 3], mesh.triangles[t][(k + 2) % 3]));
     }
   }
   return middle;
@@ -144,12 +177,12 @@ std::vector<int> edge_midpoints(const Mesh& mesh, const std::vector<Corners>& mi
 
 }  // namespace
 
-Mesh refine_red(const Mesh& mesh) {
+Mesh refine_red(const Mesh& mesh, std::span<const EdgeMiddle> middles) {
   Mesh fine;
   fine.points = mesh.points;
   fine.label_names = mesh.label_names;
   fine.region_names = mesh.region_names;
-  const auto middle = number_midpoints(mesh, fine.points);
+  const auto middle = number_midpoints(mesh, Middles(mesh, middles), fine.points);
   for (std::size_t t = 0; t < middle.size(); ++t) {
     const Children children = children_of(mesh.triangles[t], middle[t]);
     fine.triangles.insert(fine.triangles.end(), children.triangles.begin(),

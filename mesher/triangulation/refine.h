@@ -1,8 +1,16 @@
 #pragma once
 
+#include <span>
+
 #include "mesher/mesh.h"
 
 namespace parmesan {
+
+/// Where a listed edge of a mesh is to be cut.
+struct EdgeMiddle {
+  int edge = 0;
+  Point place;
+};
 
 /// Red refinement: every triangle is cut into four at the midpoints of its edges, every listed edge
 /// into two. Regions and labels are inherited; old vertices keep their numbers, a midpoint is
@@ -10,6 +18,9 @@ namespace parmesan {
 /// that its rounded midpoints would flatten it or turn it over keeps its sides whole; its neighbors are
 /// cut in three or in two, as are those of required edges, which stay whole. Triangles that were positive stay so,
 /// exactly. Cost: O(n).
-Mesh refine_red(const Mesh& mesh);
+///
+/// middles: places other than the midpoints, on the curves that the edges belong to; triangles that they would turn
+/// over are left whole as well.
+Mesh refine_red(const Mesh& mesh, std::span<const EdgeMiddle> middles = {});
 
 }  // namespace parmesan

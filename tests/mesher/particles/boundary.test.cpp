@@ -3,9 +3,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "mesher/geometry/outline.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/triangulation/check.h"
+#include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/triangulate.h"
+#include "tests/support/curved_domains.h"
 #include "tests/support/domains.h"
 
 using namespace parmesan;
@@ -78,5 +81,44 @@ TEST_CASE("match_counts gives every segment its count, targets are equidistant i
     for (VertexId v = 0; v < particles.mesh().num_slots(); ++v)
       if (particles.mesh().has_vertex(v) && particles.binding(v) >= 0) ++left;
     CHECK(left <= 12);
+  }
+}
+
+TEST_CASE("SegmentMeasure integrates the metric along an arc, and counts edges by their chords",
+          "[mesher][particles]") {
+  const Domain domain = clean(support::half_disc()).domain;
+  const Outline outline = outline_of(domain);
+  const Mesh mesh = to_mesh(triangulate(outline.domain), outline.segments).mesh;
+  const auto measure = [&](const MetricField& field) {
+    return SegmentMeasure(ParticleSystem(from_mesh(mesh, mesh.labels), domain, field), domain.segments[0]);
+  };
+  SECTION("small sizes: arc length over size") {
+    const SegmentMeasure even = measure(ConstantField(Metric::isotropic(0.01)));
+    CHECK(even.total() == Approx(M_PI / 0.01).epsilon(1e-3));
+    CHECK(even.parameter_at(0.3 * even.total()) == Approx(0.3).epsilon(1e-3));
+  }
+  SECTION("a metric that turns with the circle: n chords, each of length 1 as seen from its ends") {
+    const double h_along = 0.2;
+    const double h_across = GENERATE(0.1, 0.01, 0.001);
+    const CallableField field([=](const Point& p) {
+      const double r2 = squared_norm(p);
+      const double a = 1.0 / (h_across * h_across);
+      const double b = 1.0 / (h_along * h_along);
+      return Metric::from_tensor(
+          {(a * p.x * p.x + b * p.y * p.y) / r2, (a - b) * p.x * p.y / r2, (a * p.y * p.y + b * p.x * p.x) / r2});
+    });
+    const double n = measure(field).total();
+    const Point end{std::cos(M_PI / n), std::sin(M_PI / n)};
+    CHECK(field.at({1.0, 0.0}).length(end - Point{1.0, 0.0}) == Approx(1.0).epsilon(0.02));
+  }
+  SECTION("a chord error: r (1 - cos(pi / (2 n))) for n edges of half a circle, rounded up") {
+    Domain limited = domain;
+    const double n = 10.0;
+    limited.curves[0].limit_chord_error(1.0 - std::cos(M_PI / (2.0 * n)));
+    const ConstantField coarse(Metric::isotropic(3.0));
+    const ParticleSystem particles(from_mesh(mesh, mesh.labels), limited, coarse);
+    const SegmentMeasure of_arc(particles, limited.segments[0]);
+    CHECK(of_arc.total() == Approx(n).epsilon(0.01));
+    CHECK(of_arc.num_edges() >= 10);
   }
 }

@@ -53,3 +53,27 @@ TEST_CASE("triangles too small or too flat for midpoints are left whole, and all
   CHECK(oracle::area_of(fine) == Approx(oracle::area_of(coarse)).epsilon(1e-14));
   CHECK(fine.num_edges() == 4 << levels);
 }
+
+TEST_CASE("edges are cut where it is said, unless that would turn a triangle over", "[mesher][triangulation]") {
+  const Mesh coarse = support::rectangle_mesh(2, 2);
+  const auto place_of = [&](double height) {
+    std::vector<EdgeMiddle> middles;  // of the edges at the bottom, which go up or down
+    for (int e = 0; e < coarse.num_edges(); ++e) {
+      const auto& [a, b] = coarse.edges[static_cast<std::size_t>(e)];
+      const Point p = coarse.points[static_cast<std::size_t>(a)];
+      const Point q = coarse.points[static_cast<std::size_t>(b)];
+      if (p.y == 0.0 && q.y == 0.0) middles.push_back({e, midpoint(p, q) + Vector{0.0, height}});
+    }
+    return middles;
+  };
+  for (const double height : {-0.2, 0.05}) {
+    const Mesh fine = refine_red(coarse, place_of(height));
+    CHECK(oracle::problems_of(fine).empty());
+    CHECK(fine.num_triangles() == 4 * coarse.num_triangles());
+    // The two new vertices take away a triangle each, of base 1/2.
+    CHECK(oracle::area_of(fine) == Approx(1.0 - 2.0 * 0.5 * 0.5 * height).epsilon(1e-14));
+  }
+  const Mesh whole = refine_red(coarse, place_of(0.6));
+  CHECK(oracle::problems_of(whole).empty());
+  CHECK(oracle::area_of(whole) == Approx(1.0).epsilon(1e-14));
+}

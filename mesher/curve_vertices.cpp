@@ -1,0 +1,96 @@
+#include "mesher/curve_vertices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/predicates.h"
+#include "mesher/geometry/segment_contacts.h"
+#include "mesher/geometry/segment_path.h"
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool has_curves(const Domain& domain) { return !domain.curves.empty(); }
+
+const Segment& segment_of(const Mesh& mesh, const Domain& domain, int edge) {
+  return domain.segments[at(mesh.labels[at(edge)])];
+}
+
+// The point of the curve that is nearest to the chord's midpoint, which divides the arc about evenly.
+Point middle_of_arc(const Domain& domain, const Segment& segment, const Point& a, const Point& b) {
+  const auto [low, high] = std::minmax({parameter_on(domain, segment, a), parameter_on(domain, segment, b)});
+  const double t = parameter_on(domain, segment, midpoint(a, b));
+  return point_on(domain, segment, t > low && t < high ? t : 0.5 * (low + high));
+}
+
+// Pairs of edges between the same two vertices.
+std::vector<std::array<int, 2>> repeated_edges(const Mesh& mesh) {
+  std::vector<std::array<int, 3>> sorted;
+  for (int e = 0; e < mesh.num_edges(); ++e) {
+    const auto [low, high] = std::minmax(mesh.edges[at(e)][0], mesh.edges[at(e)][1]);
+    sorted.push_back({low, high, e});
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::array<int, 2>> pairs;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i][0] == sorted[i - 1][0] && sorted[i][1] == sorted[i - 1][1])
+      pairs.push_back({sorted[i - 1][2], sorted[i][2]});
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<EdgeMiddle> middles_on_curves(const Mesh& mesh, const Domain& domain) {
+  std::vector<EdgeMiddle> middles;
+  if (!has_curves(domain)) return middles;
+  for (int e = 0; e < mesh.num_edges(); ++e) {
+    const Segment& segment = segment_of(mesh, domain, e);
+    if (segment.is_straight()) continue;
+    const auto& [a, b] = mesh.edges[at(e)];
+    middles.push_back({e, middle_of_arc(domain, segment, mesh.points[at(a)], mesh.points[at(b)])});
+  }
+  return middles;
+}
+
+std::optional<Mesh> put_on_curves(Mesh mesh, const Domain& domain) {
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  bool has_moved = false;
+  for (int e = 0; e < mesh.num_edges(); ++e) {
+    const Segment& segment = segment_of(mesh, domain, e);
+    if (segment.is_straight()) continue;
+    for (const int v : mesh.edges[at(e)]) {
+      Point& p = mesh.points[at(v)];
+      const Point place = point_on(domain, segment, parameter_on(domain, segment, p));
+      if (norm(place - p) <= rounding * domain.curves[at(segment.curve)].extent()) continue;
+      p = place;
+      has_moved = true;
+    }
+  }
+  const auto is_positive = [&mesh](const auto& t) {
+    return orient2d(mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])]) > 0.0;
+  };
+  if (has_moved && !std::all_of(mesh.triangles.begin(), mesh.triangles.end(), is_positive)) return std::nullopt;
+  return mesh;
+}
+
+void require_no_crossings(const Mesh& mesh, const Domain& domain) {
+  if (!has_curves(domain)) return;
+  std::vector<Segment> edges;
+  for (const auto& [a, b] : mesh.edges) edges.push_back({a, b});
+  std::vector<std::array<int, 2>> faults = segment_crossings(mesh.points, edges);
+  const std::vector<std::array<int, 2>> doubled = repeated_edges(mesh);
+  faults.insert(faults.end(), doubled.begin(), doubled.end());
+  if (faults.empty()) return;
+  const Point& p = mesh.points[at(edges[at(faults.front()[0])].a)];
+  throw MeshingError("edges on curves cross near (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
+                     "), or lie on one another: the curves are nearer to one another than the edges are to them; ask "
+                     "for smaller sizes there");
+}
+
+}  // namespace parmesan

@@ -1,0 +1,205 @@
+#include "mesher/geometry/curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/bounding_diagonal.h"
+
+namespace parmesan {
+namespace {
+
+constexpr double max_turn = 0.18;  // from sample to sample, about 10 degrees
+
+double angle(const Vector& a, const Vector& b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
+
+Vector direction(const Vector& d) { return (1.0 / norm(d)) * d; }
+
+double distance_to_chord(const Point& p, const Point& a, const Point& b) {
+  const double length = norm(b - a);
+  return length > 0.0 ? std::abs(cross(b - a, p - a)) / length : norm(p - a);
+}
+
+// The parameter in [0, 1] of the point of ab that is nearest to p.
+double nearest_on_chord(const Point& p, const Point& a, const Point& b) {
+  const double length2 = squared_norm(b - a);
+  return length2 > 0.0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+Curve::Curve(Map point, Map derivative, double first, double last, std::vector<double> breaks)
+    : point_(std::move(point)),
+      derivative_(std::move(derivative)),
+      first_(first),
+      last_(last),
+      breaks_(std::move(breaks)) {
+  if (!std::isfinite(first) || !std::isfinite(last) || first == last)
+    throw GeometryError("a curve's parameter must go from one finite number to another; it goes from " +
+                        std::to_string(first) + " to " + std::to_string(last));
+  sample();
+}
+
+Point Curve::checked_point(double t) const {
+  const Point p = at(t);
+  if (std::isfinite(p.x) && std::isfinite(p.y)) return p;
+  throw GeometryError("the curve is not finite at parameter " + std::to_string(parameter(t)));
+}
+
+Vector Curve::inner_difference(double t) const {
+  constexpr double little = 1e-6;
+  return (1.0 / little) * (t < 0.5 ? at(t + little) - at(t) : at(t) - at(t - little));
+}
+
+Vector Curve::derivative(double t) const {
+  const Vector d = (last_ - first_) * derivative_(parameter(t));
+  return std::isfinite(squared_norm(d)) ? d : inner_difference(t);
+}
+
+Vector Curve::tangent(double t) const {
+  const Vector d = derivative(t);
+  if (squared_norm(d) > 0.0) return direction(d);
+  const Vector difference = inner_difference(t);
+  return squared_norm(difference) > 0.0 ? direction(difference) : Vector{1.0, 0.0};
+}
+
+std::vector<Point> Curve::sample_points() const {
+  std::vector<Point> points;
+  for (const Sample& s : samples_) points.push_back(s.point);
+  return points;
+}
+
+void Curve::sample() {
+  constexpr int first_arcs = 16;
+  std::vector<double> marks;
+  for (int i = 0; i <= first_arcs; ++i) marks.push_back(static_cast<double>(i) / first_arcs);
+  for (const double b : breaks_) {
+    const double t = (b - first_) / (last_ - first_);
+    if (t > 0.0 && t < 1.0) marks.push_back(t);
+  }
+  std::sort(marks.begin(), marks.end());
+  samples_.push_back({0.0, checked_point(0.0), 0.0, 0.0});
+  for (std::size_t i = 1; i < marks.size(); ++i)
+    if (marks[i] > marks[i - 1]) sample_between(marks[i - 1], marks[i]);
+  extent_ = bounding_diagonal(sample_points());
+  if (!(extent_ > 0.0)) throw GeometryError("a curve stays in one place");
+}
+
+// Halved until little is turned; where that does not help there is a kink.
+void Curve::sample_between(double from, double to) {
+  constexpr double smallest = 1e-13;
+  constexpr std::size_t max_samples = 1'000'000;
+  std::vector<double> ends{to};
+  while (!ends.empty()) {
+    const double end = ends.back();
+    const double middle = 0.5 * (from + end);
+    const Point a = samples_.back().point;
+    const Point m = checked_point(middle);
+    const Point b = checked_point(end);
+    const Vector t = tangent(middle);
+    double turned = angle(tangent(from), t) + angle(t, tangent(end));
+    if (turned > max_turn && end - from > smallest) {
+      if (samples_.size() + ends.size() > max_samples)
+        throw GeometryError("the curve winds without end near parameter " + std::to_string(parameter(middle)));
+      ends.push_back(middle);
+      continue;
+    }
+    if (turned > max_turn && end < 1.0) {
+      kinks_.push_back(end);
+      turned = 0.0;
+    }
+    samples_.push_back({end, b, samples_.back().turned + turned, distance_to_chord(m, a, b)});
+    from = end;
+    ends.pop_back();
+  }
+}
+
+Curve Curve::part(double t0, double t1) const {
+  return Curve(point_, derivative_, parameter(t0), parameter(t1), breaks_);
+}
+
+// The number of the sample that ends the arc with t in it.
+std::size_t Curve::arc_at(double t) const {
+  const auto after =
+      std::upper_bound(samples_.begin() + 1, samples_.end() - 1, t, [](double x, const Sample& s) { return x < s.t; });
+  return static_cast<std::size_t>(after - samples_.begin());
+}
+
+double Curve::turn(double t0, double t1) const {
+  const auto turned = [this](double t) {
+    const Sample& to = samples_[arc_at(t)];
+    const Sample& from = samples_[arc_at(t) - 1];
+    return from.turned + (to.turned - from.turned) * (t - from.t) / (to.t - from.t);
+  };
+  return turned(t1) - turned(t0);
+}
+
+double Curve::curvature(double t) const {
+  const std::size_t arc = arc_at(t);
+  const double length = norm(samples_[arc].point - samples_[arc - 1].point);
+  return length > 0.0 ? (samples_[arc].turned - samples_[arc - 1].turned) / length : 0.0;
+}
+
+double Curve::least_density(double t) const {
+  const std::size_t arc = arc_at(t);
+  return std::sqrt(samples_[arc].deviation / chord_error_) / (samples_[arc].t - samples_[arc - 1].t);
+}
+
+// Gauss-Newton from the chord: quadratic where p is on the curve. It may leave the arc by one to either side.
+double Curve::nearest_on_arc(std::size_t arc, const Point& p) const {
+  constexpr int max_steps = 30;
+  const Sample& a = samples_[arc - 1];
+  const Sample& b = samples_[arc];
+  const double low = samples_[arc > 1 ? arc - 2 : 0].t;
+  const double high = samples_[std::min(arc + 1, samples_.size() - 1)].t;
+  double t = a.t + (b.t - a.t) * nearest_on_chord(p, a.point, b.point);
+  for (int i = 0; i < max_steps; ++i) {
+    const Vector d = derivative(t);
+    const double speed2 = squared_norm(d);
+    if (!(speed2 > 0.0)) break;
+    const double next = std::clamp(t + dot(p - at(t), d) / speed2, low, high);
+    const bool is_there = std::abs(next - t) <= 1e-16;
+    t = next;
+    if (is_there) break;
+  }
+  return t;
+}
+
+// An arc is a candidate unless, as far from its chord as it is, it is farther than another surely is.
+double Curve::nearest(const Point& p) const {
+  constexpr double margin = 2.0;  // the deviation is measured in the middle only
+  std::vector<double> distances(samples_.size());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    const Point& a = samples_[i - 1].point;
+    const Point& b = samples_[i].point;
+    distances[i] = norm(p - lerp(a, b, nearest_on_chord(p, a, b)));
+    least = std::min(least, distances[i] + margin * samples_[i].deviation);
+  }
+  double best = 0.0;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    if (distances[i] - margin * samples_[i].deviation > least) continue;
+    const double t = nearest_on_arc(i, p);
+    const double distance = norm(p - at(t));
+    if (distance >= best_distance) continue;
+    best = t;
+    best_distance = distance;
+  }
+  return best;
+}
+
+Curve ellipse_arc(const Point& center, const Vector& axes, double rotation, double from, double to) {
+  const Vector u = axes.x * Vector{std::cos(rotation), std::sin(rotation)};
+  const Vector v = axes.y * Vector{-std::sin(rotation), std::cos(rotation)};
+  return Curve([=](double s) { return center + std::cos(s) * u + std::sin(s) * v; },
+               [=](double s) { return std::cos(s) * v - std::sin(s) * u; }, from, to);
+}
+
+Curve circular_arc(const Point& center, double radius, double from, double to) {
+  return ellipse_arc(center, {radius, radius}, 0.0, from, to);
+}
+
+}  // namespace parmesan

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "mesher/geometry/point.h"
+
+namespace parmesan {
+
+/// A plane curve, or a part of one, along which a segment of a domain runs. Its parameter t goes from 0 to 1.
+///
+/// The curve is sampled once, densely enough that it turns by little from one sample to the next; places where it
+/// turns at once are its kinks. Units: L.
+class Curve {
+ public:
+  using Map = std::function<Point(double)>;
+
+  /// The point and its derivative by a parameter that goes from first to last (down, if first > last). breaks:
+  /// parameters between which it is smooth, such as knots, in any order. The maps are called on several threads.
+  /// Errors: GeometryError where the point is not finite, or when it stays in one place or winds without end.
+  Curve(Map point, Map derivative, double first, double last, std::vector<double> breaks = {});
+
+  Point at(double t) const { return point_(parameter(t)); }
+
+  /// Where it is not finite, a difference quotient.
+  Vector derivative(double t) const;
+
+  /// The direction of travel, of length 1, also where the derivative vanishes.
+  Vector tangent(double t) const;
+
+  /// The same curve from t0 to t1.
+  Curve part(double t0, double t1) const;
+
+  /// The parameter of the point of the curve that is nearest to p: to rounding for p on the curve, less and less
+  /// accurate as p comes near to a center of curvature.
+  double nearest(const Point& p) const;
+
+  /// By what angle the curve turns from t0 to t1, turns to the left and to the right both counted as positive.
+  double turn(double t0, double t1) const;
+
+  /// Turn per length, the mean over an arc between samples.
+  double curvature(double t) const;
+
+  /// Where the direction jumps, ascending, without the ends.
+  const std::vector<double>& kinks() const { return kinks_; }
+
+  /// Points along the curve, from end to end, between which it turns by 10 degrees at most.
+  std::vector<Point> sample_points() const;
+
+  /// Diagonal of the upright rectangle around the curve.
+  double extent() const { return extent_; }
+
+  /// How far edges may be from the curve; none limits them by default.
+  void limit_chord_error(double distance) { chord_error_ = distance; }
+  double chord_error() const { return chord_error_; }
+
+  /// How many edges per parameter the chord error needs near t: an arc that is s away from its chord takes
+  /// sqrt(s / limit).
+  double least_density(double t) const;
+
+ private:
+  struct Sample {
+    double t;
+    Point point;
+    double turned;     // since the beginning
+    double deviation;  // of the arc that ends here from its chord
+  };
+
+  double parameter(double t) const { return (1.0 - t) * first_ + t * last_; }
+  Point checked_point(double t) const;
+  Vector inner_difference(double t) const;
+  void sample();
+  void sample_between(double from, double to);
+  std::size_t arc_at(double t) const;
+  double nearest_on_arc(std::size_t arc, const Point& p) const;
+
+  Map point_;
+  Map derivative_;
+  double first_;
+  double last_;
+  std::vector<double> breaks_;
+  std::vector<Sample> samples_;
+  std::vector<double> kinks_;
+  double extent_ = 0.0;
+  double chord_error_ = std::numeric_limits<double>::infinity();
+};
+
+/// An arc of the ellipse with the given half axes, the first of them turned by rotation against the x axis, from one
+/// angle of its parametrization center + (axes.x cos, axes.y sin) to another. Units: L, radians.
+Curve ellipse_arc(const Point& center, const Vector& axes, double rotation, double from, double to);
+
+/// An arc of a circle, counter-clockwise if from < to. Units: L, radians.
+Curve circular_arc(const Point& center, double radius, double from, double to);
+
+}  // namespace parmesan

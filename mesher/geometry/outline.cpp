@@ -1,0 +1,284 @@
+#include "mesher/geometry/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/geometry/segment_contacts.h"
+#include "mesher/geometry/segment_path.h"
+#include "mesher/geometry/segment_tree.h"
+
+namespace parmesan {
+namespace {
+
+constexpr int arcs_per_chord = 8;  // by which an arc is told from its chord
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// A straight segment, or the chord of a curved one from t0 to t1.
+struct Chord {
+  int segment;
+  double t0 = 0.0;
+  double t1 = 1.0;
+};
+
+/// The domain of the chords, and the chord that each of its segments and points belongs to.
+struct Polygon {
+  Domain domain;
+  std::vector<int> chords;  // of each segment
+};
+
+bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+class ChordSearch {
+ public:
+  explicit ChordSearch(const Domain& domain) : domain_(domain) {
+    for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) cut(s, 0.0, 1.0);
+    size_ = bounding_diagonal(points_around(domain));
+  }
+
+  OutlineResult run();
+
+ private:
+  void cut(int segment, double t0, double t1);
+  const Segment& segment(int chord) const { return domain_.segments[at(chords_[at(chord)].segment)]; }
+  bool is_straight(int chord) const { return segment(chord).is_straight(); }
+  Polygon polygon(int parts) const;
+  bool is_between(const Chord& chord, const Point& a, const Point& b, const Point& p) const;
+  void find_crossings(const Polygon& polygon);
+  void find_enclosed(const Polygon& polygon);
+  void must_halve(int chord, int other, const Point& place);
+  void halve();
+
+  const Domain& domain_;
+  double size_ = 0.0;
+  std::vector<Chord> chords_;
+  std::vector<char> to_halve_;
+  bool any_ = false;
+  std::optional<CurveConflict> conflict_;
+};
+
+void ChordSearch::cut(int segment, double t0, double t1) {
+  constexpr double max_turn = std::numbers::pi / 6.0;
+  const Segment& s = domain_.segments[at(segment)];
+  if (s.is_straight() || domain_.curves[at(s.curve)].turn(t0, t1) <= max_turn) {
+    chords_.push_back({segment, t0, t1});
+    return;
+  }
+  const double middle = 0.5 * (t0 + t1);
+  cut(segment, t0, middle);
+  cut(segment, middle, t1);
+}
+
+// Each chord of a curve in so many parts of the parameter.
+Polygon ChordSearch::polygon(int parts) const {
+  Polygon result{.domain = domain_, .chords = {}};
+  result.domain.segments.clear();
+  result.domain.curves.clear();
+  int from = 0;
+  for (int c = 0; c < static_cast<int>(chords_.size()); ++c) {
+    const Chord& chord = chords_[at(c)];
+    const Segment& s = domain_.segments[at(chord.segment)];
+    const int n = s.is_straight() ? 1 : parts;
+    if (chord.t0 == 0.0) from = s.a;
+    for (int i = 1; i <= n; ++i) {
+      const double t = i == n ? chord.t1 : chord.t0 + (chord.t1 - chord.t0) * i / n;
+      int to = s.b;
+      if (t < 1.0) {
+        to = static_cast<int>(result.domain.points.size());
+        result.domain.points.push_back(point_on(domain_, s, t));
+      }
+      result.domain.segments.push_back({from, to, s.label});
+      result.chords.push_back(c);
+      from = to;
+    }
+  }
+  return result;
+}
+
+// What cannot be told apart by halving is a conflict.
+void ChordSearch::must_halve(int chord, int other, const Point& place) {
+  constexpr double smallest = 1e-10;
+  if (is_straight(chord)) return;
+  const Chord& c = chords_[at(chord)];
+  const Point a = point_on(domain_, segment(chord), c.t0);
+  const Point b = point_on(domain_, segment(chord), c.t1);
+  if (norm(b - a) <= smallest * size_) conflict_ = CurveConflict{c.segment, chords_[at(other)].segment, place};
+  to_halve_[at(chord)] = 1;
+  any_ = true;
+}
+
+// Crossings, and points of one chord on another.
+void ChordSearch::find_crossings(const Polygon& polygon) {
+  const std::vector<Point>& points = polygon.domain.points;
+  const std::vector<Segment>& segments = polygon.domain.segments;
+  for (const auto& [s, t] : segment_crossings(points, segments)) {
+    const int c = polygon.chords[at(s)];
+    const int d = polygon.chords[at(t)];
+    const Point place = crossing_point(points[at(segments[at(s)].a)], points[at(segments[at(s)].b)],
+                                       points[at(segments[at(t)].a)], points[at(segments[at(t)].b)]);
+    must_halve(c, d, place);
+    must_halve(d, c, place);
+  }
+  std::vector<int> chord_at(points.size(), -1);
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    chord_at[at(segments[s].a)] = chord_at[at(segments[s].b)] = polygon.chords[s];
+  for (const auto& [s, p] : points_inside_segments(points, segments)) {
+    const int c = polygon.chords[at(s)];
+    const int d = chord_at[at(p)];
+    if (is_straight(c) && d >= 0)
+      conflict_ = CurveConflict{chords_[at(c)].segment, chords_[at(d)].segment, points[at(p)]};
+    must_halve(c, d < 0 ? c : d, points[at(p)]);
+  }
+}
+
+// Points and seeds between a chord and its arc; and points in one place.
+void ChordSearch::find_enclosed(const Polygon& polygon) {
+  constexpr int none = -1;
+  constexpr int seed = -2;
+  struct Site {
+    Point place;
+    int chord;  // one that ends here
+  };
+  const Domain& domain = polygon.domain;
+  std::vector<Site> sites;
+  for (const Point& p : domain.points) sites.push_back({p, none});
+  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s)
+    for (const int v : {domain.segments[at(s)].a, domain.segments[at(s)].b}) sites[at(v)].chord = polygon.chords[at(s)];
+  for (const Point& p : domain.holes) sites.push_back({p, seed});
+  for (const RegionSeed& region : domain.regions) sites.push_back({region.point, seed});
+  std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return before(a.place, b.place); });
+  for (std::size_t i = 1; i < sites.size(); ++i) {
+    const Site& a = sites[i - 1];
+    const Site& b = sites[i];
+    if (a.place == b.place && a.chord >= 0 && b.chord >= 0)
+      conflict_ = CurveConflict{chords_[at(a.chord)].segment, chords_[at(b.chord)].segment, a.place};
+  }
+  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) {
+    const int c = polygon.chords[at(s)];
+    if (is_straight(c)) continue;
+    const Point& a = domain.points[at(domain.segments[at(s)].a)];
+    const Point& b = domain.points[at(domain.segments[at(s)].b)];
+    const double reach = norm(b - a);
+    const auto begin = std::lower_bound(sites.begin(), sites.end(), std::min(a.x, b.x) - reach,
+                                        [](const Site& site, double x) { return site.place.x < x; });
+    for (auto site = begin; site != sites.end() && site->place.x <= std::max(a.x, b.x) + reach; ++site) {
+      const Point& p = site->place;
+      if (p == a || p == b || norm(p - a) > 2.0 * reach || !is_between(chords_[at(c)], a, b, p)) continue;
+      must_halve(c, site->chord < 0 ? c : site->chord, p);
+    }
+  }
+}
+
+// It is on one side of the chord from a to b, and on the other of the arc.
+bool ChordSearch::is_between(const Chord& chord, const Point& a, const Point& b, const Point& p) const {
+  const Curve& curve = domain_.curves[at(domain_.segments[at(chord.segment)].curve)];
+  const double t = curve.nearest(p);
+  if (t <= chord.t0 || t >= chord.t1) return false;
+  return (cross(b - a, p - a) > 0.0) != (cross(curve.tangent(t), p - curve.at(t)) > 0.0);
+}
+
+void ChordSearch::halve() {
+  std::vector<Chord> halved;
+  for (std::size_t c = 0; c < chords_.size(); ++c) {
+    const Chord& chord = chords_[c];
+    const double middle = 0.5 * (chord.t0 + chord.t1);
+    if (to_halve_[c] == 0) {
+      halved.push_back(chord);
+    } else {
+      halved.push_back({chord.segment, chord.t0, middle});
+      halved.push_back({chord.segment, middle, chord.t1});
+    }
+  }
+  chords_ = std::move(halved);
+}
+
+// The chords must be fit to be triangulated, and the arcs themselves must not meet.
+OutlineResult ChordSearch::run() {
+  constexpr int max_rounds = 200;
+  for (int round = 0; round < max_rounds; ++round) {
+    to_halve_.assign(chords_.size(), 0);
+    any_ = false;
+    const Polygon coarse = polygon(1);
+    find_crossings(coarse);
+    find_enclosed(coarse);
+    if (!any_) find_crossings(polygon(arcs_per_chord));
+    if (conflict_) return {{}, conflict_};
+    if (!any_) {
+      std::vector<int> segments;
+      for (const int c : coarse.chords) segments.push_back(chords_[at(c)].segment);
+      return {{coarse.domain, std::move(segments)}, std::nullopt};
+    }
+    halve();
+  }
+  return {{}, CurveConflict{}};
+}
+
+bool has_curves(const Domain& domain) {
+  return std::any_of(domain.segments.begin(), domain.segments.end(), [](const Segment& s) { return !s.is_straight(); });
+}
+
+}  // namespace
+
+OutlineResult find_outline(const Domain& domain) {
+  if (has_curves(domain)) return ChordSearch(domain).run();
+  std::vector<int> segments(domain.segments.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) segments[s] = static_cast<int>(s);
+  return {{domain, std::move(segments)}, std::nullopt};
+}
+
+namespace {
+
+/// The distance from a chord of an outline to the nearest segment that does not share an end with it.
+class Gap {
+ public:
+  explicit Gap(const Domain& domain) : domain_(domain), tree_(domain) {}
+
+  double beside(int segment) const {
+    const Segment& s = domain_.segments[at(segment)];
+    return between(s, domain_.points[at(s.a)], domain_.points[at(s.b)], 0);
+  }
+
+ private:
+  // Halved until the distance from the middle holds for all of the part.
+  double between(const Segment& s, const Point& a, const Point& b, int depth) const {
+    constexpr int max_depth = 14;
+    const auto is_apart = [&](int other) {
+      const Segment& o = domain_.segments[at(other)];
+      return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
+    };
+    const Point middle = midpoint(a, b);
+    const double distance = tree_.nearest(middle, is_apart).distance;
+    if (depth == max_depth || norm(b - a) <= distance) return distance;
+    return std::min(between(s, a, middle, depth + 1), between(s, middle, b, depth + 1));
+  }
+
+  const Domain& domain_;
+  SegmentTree tree_;
+};
+
+}  // namespace
+
+void limit_chord_errors(Domain& domain, const Outline& outline, double share) {
+  constexpr double share_of_gap = 1.0 / 8.0;
+  if (!has_curves(domain)) return;
+  const Gap gap(outline.domain);
+  for (Curve& curve : domain.curves) curve.limit_chord_error(share * curve.extent());
+  for (std::size_t i = 0; i < outline.segments.size(); ++i) {
+    const Segment& s = domain.segments[at(outline.segments[i])];
+    if (s.is_straight()) continue;
+    Curve& curve = domain.curves[at(s.curve)];
+    curve.limit_chord_error(std::min(curve.chord_error(), share_of_gap * gap.beside(static_cast<int>(i))));
+  }
+}
+
+Outline outline_of(const Domain& domain) {
+  OutlineResult result = find_outline(domain);
+  assert(!result.conflict);
+  return std::move(result.outline);
+}
+
+}  // namespace parmesan

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mesher/geometry/domain.h"
+
+namespace parmesan {
+
+/// A domain whose curved segments are replaced by chains of chords that can stand for them: they meet only where the
+/// curves do, and no point, chord or seed lies between a chord and its arc.
+struct Outline {
+  Domain domain;              // straight; the chords' new points are numbered after the others
+  std::vector<int> segments;  // the segment of the curved domain that each segment here is a part of
+};
+
+/// Two segments, of which one at least is curved, that meet where they should not; perhaps one with itself.
+struct CurveConflict {
+  int first = 0;
+  int second = 0;
+  Point place;
+};
+
+/// An outline, or what is in the way of one.
+struct OutlineResult {
+  Outline outline;
+  std::optional<CurveConflict> conflict;
+};
+
+/// Chords that turn by 30 degrees at most, halved until they can stand for their arcs. A conflict is what is left when
+/// they are under 1e-10 of the domain's size. The domain must be clean but for that.
+/// Cost: O(n log n) expected in the number of segments and chords, times the number of halvings, 40 at most.
+OutlineResult find_outline(const Domain& domain);
+
+/// The outline of a clean domain.
+Outline outline_of(const Domain& domain);
+
+/// Limits how far edges may be from each curve of a domain: by a share of the curve's extent, and by an eighth of
+/// the gap to the nearest other segment, so that edges on both sides of the gap do not cross. outline: the domain's.
+void limit_chord_errors(Domain& domain, const Outline& outline, double share);
+
+}  // namespace parmesan

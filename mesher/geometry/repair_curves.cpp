@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <utility>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/repair.h"
+#include "mesher/geometry/segment_path.h"
+
+namespace parmesan {
+namespace {
+
+constexpr double tolerance = 1e-9;  // of a curve's extent, within which a point is on it
+
+const Curve& curve_of(const DomainRepair& repair, const Segment& s) {
+  return repair.domain.curves[static_cast<std::size_t>(s.curve)];
+}
+
+void require_ends(const DomainRepair& repair, int segment) {
+  const Segment& s = repair.segment(segment);
+  const Curve& curve = curve_of(repair, s);
+  const auto require = [&](const char* verb, const Point& end, int point) {
+    if (norm(repair.point(point) - end) <= tolerance * curve.extent()) return;
+    throw GeometryError("the curve of segment " + text(repair.source_segment(segment)) + " " + verb + " at " +
+                            text(end) + ", not at its point " + text(repair.source_point(point)) + ", " +
+                            text(repair.point(point)),
+                        {repair.source_segment(segment)});
+  };
+  require("begins", curve.at(0.0), s.a);
+  require("ends", curve.at(1.0), s.b);
+}
+
+void refuse_seeds_on_curve(const DomainRepair& repair, int segment) {
+  const Curve& curve = curve_of(repair, repair.segment(segment));
+  const auto check = [&](const Point& seed, const char* kind, int index) {
+    if (norm(curve.at(curve.nearest(seed)) - seed) > tolerance * curve.extent()) return;
+    throw GeometryError(std::string(kind) + " seed " + text(index) + " lies on segment " +
+                            text(repair.source_segment(segment)) + "; move it to the inside of what it marks",
+                        {index});
+  };
+  int index = 0;
+  for (const Point& hole : repair.domain.holes) check(hole, "hole", index++);
+  index = 0;
+  for (const RegionSeed& region : repair.domain.regions) check(region.point, "region", index++);
+}
+
+/// A place on a curve where it is to be split, and the point there; -1: one to be made.
+struct Cut {
+  double t;
+  int point;
+};
+
+// Points of the domain on the segment, not its ends.
+std::vector<Cut> cuts_at_points(const DomainRepair& repair, const Segment& s) {
+  const Curve& curve = curve_of(repair, s);
+  std::vector<Cut> cuts;
+  for (int v = 0; v < static_cast<int>(repair.domain.points.size()); ++v) {
+    const Point& p = repair.point(v);
+    const double near = tolerance * curve.extent();
+    if (norm(p - curve.at(0.0)) > 2.0 * curve.extent()) continue;
+    if (v == s.a || v == s.b || norm(p - curve.at(0.0)) <= near || norm(p - curve.at(1.0)) <= near) continue;
+    const double t = curve.nearest(p);
+    if (norm(curve.at(t) - p) <= near) cuts.push_back({t, v});
+  }
+  return cuts;
+}
+
+int make_point(DomainRepair& repair, const Point& p) {
+  const int next = 1 + *std::max_element(repair.point_sources.begin(), repair.point_sources.end());
+  repair.domain.points.push_back(p);
+  repair.point_sources.push_back(next);
+  return static_cast<int>(repair.domain.points.size()) - 1;
+}
+
+// Kinks, points, and the middle of a closed curve that has none of them.
+std::vector<Cut> cuts_of(DomainRepair& repair, const Segment& s) {
+  std::vector<Cut> cuts = cuts_at_points(repair, s);
+  const Curve& curve = curve_of(repair, s);
+  for (const double t : curve.kinks()) {
+    const auto is_there = [&](const Cut& cut) {
+      return norm(repair.point(cut.point) - curve.at(t)) <= tolerance * curve.extent();
+    };
+    if (std::none_of(cuts.begin(), cuts.end(), is_there)) cuts.push_back({t, make_point(repair, curve.at(t))});
+  }
+  if (s.a == s.b && cuts.empty()) cuts.push_back({0.5, make_point(repair, curve.at(0.5))});
+  std::sort(cuts.begin(), cuts.end(), [](const Cut& c, const Cut& d) { return c.t < d.t; });
+  return cuts;
+}
+
+}  // namespace
+
+DomainRepair split_curves(DomainRepair repair) {
+  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
+  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& s = segments[i];
+    repair.domain.segments.push_back(s);
+    repair.segment_sources.push_back(sources[i]);
+    if (s.is_straight()) continue;
+    require_ends(repair, static_cast<int>(repair.domain.segments.size()) - 1);
+    refuse_seeds_on_curve(repair, static_cast<int>(repair.domain.segments.size()) - 1);
+    const std::vector<Cut> cuts = cuts_of(repair, s);
+    double from = 0.0;
+    for (const Cut& cut : cuts) {
+      const Curve whole = curve_of(repair, s);
+      repair.domain.segments.back().b = cut.point;
+      repair.domain.segments.back().curve = static_cast<int>(repair.domain.curves.size());
+      repair.domain.curves.push_back(whole.part(from, cut.t));
+      Segment rest = s;
+      rest.a = cut.point;
+      rest.curve = static_cast<int>(repair.domain.curves.size());
+      repair.domain.segments.push_back(rest);
+      repair.segment_sources.push_back(sources[i]);
+      from = cut.t;
+    }
+    if (!cuts.empty()) repair.domain.curves.push_back(curve_of(repair, s).part(from, 1.0));
+  }
+  return repair;
+}
+
+}  // namespace parmesan

@@ -1,0 +1,60 @@
+#include "mesher/geometry/segment_path.h"
+
+namespace parmesan {
+namespace {
+
+const Point& point(const Domain& domain, int i) { return domain.points[static_cast<std::size_t>(i)]; }
+
+const Curve& curve_of(const Domain& domain, const Segment& segment) {
+  return domain.curves[static_cast<std::size_t>(segment.curve)];
+}
+
+}  // namespace
+
+Point point_on(const Domain& domain, const Segment& segment, double t) {
+  if (segment.is_straight()) return lerp(point(domain, segment.a), point(domain, segment.b), t);
+  if (t <= 0.0) return point(domain, segment.a);
+  if (t >= 1.0) return point(domain, segment.b);
+  return curve_of(domain, segment).at(t);
+}
+
+Vector derivative_on(const Domain& domain, const Segment& segment, double t) {
+  if (segment.is_straight()) return point(domain, segment.b) - point(domain, segment.a);
+  return curve_of(domain, segment).derivative(t);
+}
+
+double parameter_on(const Domain& domain, const Segment& segment, const Point& p) {
+  const Point& a = point(domain, segment.a);
+  const Point& b = point(domain, segment.b);
+  if (p == a) return 0.0;
+  if (p == b) return 1.0;
+  if (!segment.is_straight()) return curve_of(domain, segment).nearest(p);
+  return dot(p - a, b - a) / squared_norm(b - a);
+}
+
+Vector direction_from(const Domain& domain, const Segment& segment, int end) {
+  if (segment.is_straight()) return point(domain, segment.a == end ? segment.b : segment.a) - point(domain, end);
+  const Curve& curve = curve_of(domain, segment);
+  return segment.a == end ? curve.tangent(0.0) : -curve.tangent(1.0);
+}
+
+std::vector<Point> points_along(const Domain& domain, const Segment& segment) {
+  std::vector<Point> points{point(domain, segment.a), point(domain, segment.b)};
+  if (segment.is_straight()) return points;
+  points = curve_of(domain, segment).sample_points();
+  points.front() = point(domain, segment.a);
+  points.back() = point(domain, segment.b);
+  return points;
+}
+
+std::vector<Point> points_around(const Domain& domain) {
+  std::vector<Point> points = domain.points;
+  for (const Segment& segment : domain.segments) {
+    if (segment.is_straight()) continue;
+    const std::vector<Point> along = points_along(domain, segment);
+    points.insert(points.end(), along.begin(), along.end());
+  }
+  return points;
+}
+
+}  // namespace parmesan
