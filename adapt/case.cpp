@@ -42,19 +42,6 @@ std::string describe(const std::string& file, const std::vector<CaseIssue>& issu
   return text;
 }
 
-/// What the format promises and this version does not do yet: said so, and taken out.
-void refuse_unsupported(CaseReading& reading) {
-  Json& root = reading.document.root;
-  const auto refuse = [&](const char* section, const char* key, const std::string& problem) {
-    reading.issues.add(std::string("/") + section + "/" + key, problem);
-    root[section].erase(key);
-  };
-  const auto has = [&root](const char* section, const char* key) {
-    return root.contains(section) && root[section].is_object() && root[section].contains(key);
-  };
-  if (has("geometry", "curves")) refuse("geometry", "curves", "curves are not supported yet; give a polygon");
-}
-
 void read_parameter(CaseReading& reading, const std::string& name, Json& value) {
   const std::string pointer = "/parameters" + pointer_step(name);
   if (!is_identifier(name)) {
@@ -124,7 +111,6 @@ std::optional<Expression> CaseReading::expression(const Json& value, const std::
 Case parse_case(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
   CaseReading reading;
   reading.document = load_document(text, file, overrides, reading.issues);
-  refuse_unsupported(reading);
   read_parameters(reading);
   const Json schema = case_schema();
   SchemaCheck check(schema, reading.parameters, reading.issues);

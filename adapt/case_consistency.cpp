@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "adapt/number_text.h"
+#include "mesher/geometry/even_odd.h"
+#include "mesher/geometry/segment_path.h"
 
 namespace parmesan {
 namespace {
@@ -29,16 +31,19 @@ std::vector<Segment> sides_of(const CaseGeometry& geometry) {
   return sides;
 }
 
-/// Whether an odd number of segments lies to the right of the point.
-bool is_inside(const Point& p, const Domain& domain, const std::vector<Segment>& segments) {
-  bool inside = false;
-  for (const Segment& segment : segments) {
-    const Point& a = domain.points[static_cast<std::size_t>(segment.a)];
-    const Point& b = domain.points[static_cast<std::size_t>(segment.b)];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
+/// A polygonal chain for each side.
+std::vector<std::vector<Point>> chains_along(const Domain& domain, const std::vector<Segment>& sides) {
+  std::vector<std::vector<Point>> chains;
+  for (const Segment& side : sides) chains.push_back(points_along(domain, side));
+  return chains;
+}
+
+/// Whether the chain crosses the ray to the right of the point an odd number of times.
+bool changes_side(const Point& p, const std::vector<Point>& chain) {
+  bool changes = false;
+  for (std::size_t i = 1; i < chain.size(); ++i)
+    if (crosses_ray(chain[i - 1], chain[i], p)) changes = !changes;
+  return changes;
 }
 
 /// Points spread evenly over the inside of the sides (Roberts's R2 sequence in their bounding box).
@@ -47,16 +52,18 @@ std::vector<Point> samples_inside(const Domain& domain, const std::vector<Segmen
   constexpr double kPlastic = 1.32471795724474602596;
   Point low{kInfinity, kInfinity};
   Point high{-kInfinity, -kInfinity};
-  for (const Point& p : domain.points) {
+  for (const Point& p : points_around(domain)) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
+  const std::vector<std::vector<Point>> chains = chains_along(domain, sides);
   std::vector<Point> samples;
   for (int i = 1; i <= kNumSamples; ++i) {
     const double s = std::fmod(0.5 + i / kPlastic, 1.0);
     const double t = std::fmod(0.5 + i / (kPlastic * kPlastic), 1.0);
     const Point p{low.x + s * (high.x - low.x), low.y + t * (high.y - low.y)};
-    if (is_inside(p, domain, sides)) samples.push_back(p);
+    const auto turns = std::count_if(chains.begin(), chains.end(), [&p](const auto& c) { return changes_side(p, c); });
+    if (turns % 2 == 1) samples.push_back(p);
   }
   return samples;
 }
@@ -80,10 +87,8 @@ void check_dirichlet(CaseReading& reading, const CaseGeometry& geometry, const E
   for (std::size_t i = 0; i < std::min(sides.size(), kMostSides); ++i) {
     const auto condition = problem.boundary.find(sides[i].label);
     if (condition == problem.boundary.end() || condition->second.kind != BoundaryKind::Dirichlet) continue;
-    const Point& a = geometry.domain.points[static_cast<std::size_t>(sides[i].a)];
-    const Point& b = geometry.domain.points[static_cast<std::size_t>(sides[i].b)];
     for (const double t : {0.21, 0.5, 0.83}) {
-      const Point p = lerp(a, b, t);
+      const Point p = point_on(geometry.domain, sides[i], t);
       const double exact = equation.exact->expression().value(p);
       if (!std::isfinite(exact)) continue;
       const double given = condition->second.value(p, {}, 0);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "adapt/case_curves.h"
 #include "adapt/case_file_geometry.h"
 #include "adapt/case_reading.h"
 #include "adapt/domain_builder.h"
@@ -24,8 +25,16 @@ Ring read_ring(const Json& value) {
   return ring;
 }
 
-Ring read_disc(const Json& value) {
+/// With "points" a regular polygon stands for the circle.
+Ring read_disc_polygon(const Json& value) {
   return regular_polygon(read_point(value["center"]), value["radius"].get<double>(), value["points"].get<int>());
+}
+
+PathPiece closed(Curve curve, const std::string& label) { return {curve.at(0.0), curve.at(0.0), label, curve}; }
+
+void add_disc(const Json& value, const std::string& label, DomainBuilder& builder) {
+  if (value.contains("points")) return builder.add_ring(read_disc_polygon(value), {label});
+  builder.add_path({closed(read_circle(value), label)});
 }
 
 /// The corners of {"min", "max"}; an issue when they are not in this order.
@@ -90,7 +99,12 @@ void add_outline(CaseReading& reading, const Json& geometry, DomainBuilder& buil
     const std::optional<Ring> box = read_box(reading, geometry["rectangle"], kGeometry + "/rectangle");
     if (box) builder.add_ring(*box, box_sides());
   }
-  if (geometry.contains("disc")) builder.add_ring(read_disc(geometry["disc"]), {"circle"});
+  if (geometry.contains("disc")) add_disc(geometry["disc"], "circle", builder);
+  if (geometry.contains("ellipse")) builder.add_path({closed(read_ellipse(geometry["ellipse"]), "ellipse")});
+  if (geometry.contains("curves")) {
+    const std::optional<Path> path = read_closed_path(reading, geometry["curves"], kGeometry + "/curves", "boundary");
+    if (path) builder.add_path(*path);
+  }
   if (geometry.contains("polygon")) add_polygon(reading, geometry, builder);
   if (geometry.contains("naca")) add_naca(reading, geometry["naca"], builder);
   if (!geometry.contains("file")) return;
@@ -122,15 +136,26 @@ std::vector<int> read_required_regions(CaseReading& reading, const Json& geometr
   return regions;
 }
 
-void add_holes(const Json& holes, DomainBuilder& builder) {
+void add_hole(CaseReading& reading, const Json& hole, const std::string& label, const std::string& pointer,
+              DomainBuilder& builder) {
+  if (hole.contains("polygon")) return builder.add_hole(read_ring(hole["polygon"]), label);
+  if (hole.contains("ellipse")) return builder.add_hole({closed(read_ellipse(hole["ellipse"]), label)});
+  if (hole.contains("disc") && hole["disc"].contains("points"))
+    return builder.add_hole(read_disc_polygon(hole["disc"]), label);
+  if (hole.contains("disc")) return builder.add_hole({closed(read_circle(hole["disc"]), label)});
+  const std::optional<Path> path = read_closed_path(reading, hole["curves"], pointer + "/curves", label);
+  if (path) builder.add_hole(*path);
+}
+
+void add_holes(CaseReading& reading, const Json& holes, DomainBuilder& builder) {
   int number = 0;
   for (const Json& hole : holes) {
+    const std::string pointer = kGeometry + "/holes/" + std::to_string(number);
     const std::string name = "hole" + std::to_string(++number);
     if (hole.is_array()) {
       builder.add_hole(read_ring(hole), name);
     } else {
-      const Ring ring = hole.contains("disc") ? read_disc(hole["disc"]) : read_ring(hole["polygon"]);
-      builder.add_hole(ring, hole.value("label", name));
+      add_hole(reading, hole, hole.value("label", name), pointer, builder);
     }
   }
 }
@@ -163,17 +188,29 @@ void read_labels(CaseReading& reading, const Json& geometry, DomainBuilder& buil
   reading.issues.add(kGeometry + "/labels", "a list of names is for polygons; write { \"side\": \"new name\" }");
 }
 
-void add_insides(const Json& geometry, DomainBuilder& builder) {
+void add_inner_segment(CaseReading& reading, const Json& segment, const std::string& pointer, DomainBuilder& builder) {
+  const std::string label = segment["label"].get<std::string>();
+  std::optional<std::string> right;
+  if (segment.contains("label_right")) right = segment["label_right"].get<std::string>();
+  const bool is_required = segment.value("required", false);
+  if (!segment.contains("from")) {
+    const std::optional<Curve> curve = read_curve(reading, segment, pointer);
+    if (curve) builder.add_curve(*curve, label, right, is_required);
+  } else if (segment.contains("to")) {
+    builder.add_segment(read_point(segment["from"]), read_point(segment["to"]), label, right, is_required);
+  } else {
+    reading.issues.add(pointer, "the key 'to' is missing");
+  }
+}
+
+void add_insides(CaseReading& reading, const Json& geometry, DomainBuilder& builder) {
   // Domains of meshes around required regions keep those points that are required.
   const bool has_required_regions = geometry.contains("required");
   for (const Json& point : geometry.value("points", Json::array()))
     builder.add_point(read_point(point), has_required_regions);
-  for (const Json& segment : geometry.value("segments", Json::array())) {
-    std::optional<std::string> right;
-    if (segment.contains("label_right")) right = segment["label_right"].get<std::string>();
-    builder.add_segment(read_point(segment["from"]), read_point(segment["to"]), segment["label"].get<std::string>(),
-                        right, segment.value("required", false));
-  }
+  int number = 0;
+  for (const Json& segment : geometry.value("segments", Json::array()))
+    add_inner_segment(reading, segment, kGeometry + "/segments/" + std::to_string(number++), builder);
   const Json regions = geometry.value("regions", Json::object());
   for (const auto& [name, seed] : regions.items()) {
     if (!name.starts_with("x-")) builder.add_region(name, read_point(seed));
@@ -202,11 +239,11 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
   std::optional<Mesh> file_mesh;
   add_outline(reading, geometry, builder, file_mesh);
   if (!reading.issues.clean(kGeometry)) return std::nullopt;
-  add_holes(geometry.value("holes", Json::array()), builder);
+  add_holes(reading, geometry.value("holes", Json::array()), builder);
   read_labels(reading, geometry, builder);
   CaseGeometry result;
   const std::vector<int> outline = builder.labels_in_use();
-  add_insides(geometry, builder);
+  add_insides(reading, geometry, builder);
   const bool from_file = geometry.contains("file");
   result.cracks = builder.crack_labels();
   for (const int label : builder.labels_in_use()) {

@@ -202,6 +202,7 @@ void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   check_schedule(reading, mesher);
   const Json& preset = section["preset"];
   mesher.preset = preset == "fast" ? Preset::Fast : (preset == "mid" ? Preset::Mid : Preset::Good);
+  mesher.chord_error = section["chord_error"].get<double>();
   mesher.seed = static_cast<std::uint64_t>(section["seed"].get<double>());
   result.lower_error = section["lower_error"].get<bool>();
   const Targets& targets = result.targets;

@@ -67,10 +67,73 @@ constexpr const char* kSchema = R"schema({
       "properties": {
         "center": { "$ref": "#/$defs/point", "default": [0, 0] },
         "radius": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
-        "points": { "type": "integer", "minimum": 3, "maximum": 1000000, "default": 64,
-                    "description": "corners of the regular polygon that stands for the circle" }
+        "points": { "type": "integer", "minimum": 3, "maximum": 1000000,
+                    "description": "corners of a regular polygon in place of the circle" }
       }
     },
+    "arc": {
+      "type": "object", "required": ["radius", "from", "to"], "additionalProperties": false,
+      "patternProperties": { "^x-": {} },
+      "properties": {
+        "center": { "$ref": "#/$defs/point", "default": [0, 0] },
+        "radius": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 },
+        "from": { "$ref": "#/$defs/constant", "description": "degrees against the x axis" },
+        "to": { "$ref": "#/$defs/constant", "description": "below from: clockwise" }
+      }
+    },
+    "ellipse": {
+      "type": "object", "required": ["axes"], "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "center": { "$ref": "#/$defs/point", "default": [0, 0] },
+        "axes": { "$ref": "#/$defs/positive_pair", "description": "half the length of each" },
+        "rotation": { "$ref": "#/$defs/constant", "default": 0, "description": "of the first axis, degrees" },
+        "from": { "$ref": "#/$defs/constant", "default": 0, "description": "degrees of its parameter" },
+        "to": { "$ref": "#/$defs/constant", "default": 360 }
+      }
+    },
+    "whole_ellipse": {
+      "type": "object", "required": ["axes"], "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "center": { "$ref": "#/$defs/point", "default": [0, 0] },
+        "axes": { "$ref": "#/$defs/positive_pair", "description": "half the length of each" },
+        "rotation": { "$ref": "#/$defs/constant", "default": 0, "description": "of the first axis, degrees" }
+      }
+    },
+    "positive_pair": { "title": "two positive numbers [a, b]", "type": "array",
+                       "items": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0 }, "minItems": 2, "maxItems": 2 },
+    "spline": {
+      "type": "object", "required": ["points"], "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "points": { "type": "array", "items": { "$ref": "#/$defs/point" }, "description": "control points" },
+        "degree": { "type": "integer", "minimum": 1, "maximum": 16, "default": 3 },
+        "knots": { "type": "array", "items": { "$ref": "#/$defs/constant" },
+                   "description": "points + degree + 1 of them; default: clamped at both ends, evenly spaced" },
+        "weights": { "type": "array", "items": { "$ref": "#/$defs/constant" },
+                     "description": "one for each point; default: 1, a B-spline" }
+      }
+    },
+    "parametric": {
+      "type": "object", "required": ["x", "y"], "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "properties": {
+        "x": { "$ref": "#/$defs/scalar", "description": "of t" },
+        "y": { "$ref": "#/$defs/scalar", "description": "of t" },
+        "from": { "$ref": "#/$defs/constant", "default": 0 }, "to": { "$ref": "#/$defs/constant", "default": 1 }
+      }
+    },
+    "piece": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "oneOf": [{ "required": ["line"] }, { "required": ["arc"] }, { "required": ["ellipse"] },
+                { "required": ["spline"] }, { "required": ["parametric"] }],
+      "properties": {
+        "line": { "title": "a list of at least 2 points", "type": "array", "items": { "$ref": "#/$defs/point" },
+                  "minItems": 2 },
+        "arc": { "$ref": "#/$defs/arc" }, "ellipse": { "$ref": "#/$defs/ellipse" },
+        "spline": { "$ref": "#/$defs/spline" }, "parametric": { "$ref": "#/$defs/parametric" },
+        "label": { "type": "string", "minLength": 1 }
+      }
+    },
+    "path": { "title": "a list of pieces, each from where the one before ends", "type": "array",
+              "items": { "$ref": "#/$defs/piece" }, "minItems": 1 },
     "naca": {
       "type": "object", "required": ["code", "channel"], "additionalProperties": false,
       "patternProperties": { "^x-": {} },
@@ -87,32 +150,41 @@ constexpr const char* kSchema = R"schema({
     },
     "hole": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
-      "oneOf": [{ "required": ["polygon"] }, { "required": ["disc"] }],
+      "oneOf": [{ "required": ["polygon"] }, { "required": ["disc"] }, { "required": ["ellipse"] },
+                { "required": ["curves"] }],
       "properties": {
         "polygon": { "$ref": "#/$defs/ring" },
         "disc": { "$ref": "#/$defs/disc" },
+        "ellipse": { "$ref": "#/$defs/whole_ellipse" },
+        "curves": { "$ref": "#/$defs/path" },
         "label": { "type": "string", "minLength": 1 }
       }
     },
     "segment": {
-      "type": "object", "required": ["from", "to"], "additionalProperties": false,
-      "patternProperties": { "^x-": {} },
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "oneOf": [{ "required": ["from"] }, { "required": ["arc"] }, { "required": ["ellipse"] },
+                { "required": ["spline"] }, { "required": ["parametric"] }],
       "properties": {
         "from": { "$ref": "#/$defs/point" }, "to": { "$ref": "#/$defs/point" },
+        "arc": { "$ref": "#/$defs/arc" }, "ellipse": { "$ref": "#/$defs/ellipse" },
+        "spline": { "$ref": "#/$defs/spline" }, "parametric": { "$ref": "#/$defs/parametric" },
         "label": { "type": "string", "minLength": 1, "default": "inside" },
         "label_right": { "type": "string", "minLength": 1,
-                         "description": "makes it a crack: the label of its side to the right of from -> to" },
+                         "description": "makes it a crack: the label of its side to the right of its direction" },
         "required": { "type": "boolean", "description": "true: stays one edge of every mesh" }
       }
     },
     "geometry": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
-      "oneOf": [{ "required": ["rectangle"] }, { "required": ["disc"] }, { "required": ["polygon"] },
-                { "required": ["naca"] }, { "required": ["file"] }],
+      "oneOf": [{ "required": ["rectangle"] }, { "required": ["disc"] }, { "required": ["ellipse"] },
+                { "required": ["polygon"] }, { "required": ["curves"] }, { "required": ["naca"] },
+                { "required": ["file"] }],
       "properties": {
         "rectangle": { "$ref": "#/$defs/box", "description": "sides: left, right, bottom, top" },
         "disc": { "$ref": "#/$defs/disc", "description": "side: circle" },
+        "ellipse": { "$ref": "#/$defs/whole_ellipse", "description": "side: ellipse" },
         "polygon": { "$ref": "#/$defs/ring", "description": "side: boundary, unless labels are given" },
+        "curves": { "$ref": "#/$defs/path", "description": "sides: boundary, unless pieces have labels" },
         "naca": { "$ref": "#/$defs/naca", "description": "sides: airfoil, left, right, bottom, top" },
         "file": { "type": "string", "minLength": 1, "description": "beside or below the case file" },
         "labels": {
@@ -258,6 +330,8 @@ constexpr const char* kSchema = R"schema({
         "particles": { "$ref": "#/$defs/particles", "default": {} },
         "preset": { "enum": ["fast", "mid", "good"], "default": "good" },
         "seed": { "type": "integer", "minimum": 0, "default": 1 },
+        "chord_error": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "default": 0.01,
+                         "description": "how far edges may be from a curve, as a share of its extent" },
         "lower_error": { "type": "boolean", "default": false,
                          "description": "move vertices and swap edges last to lower the L2 error itself" }
       }

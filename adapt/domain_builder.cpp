@@ -1,10 +1,50 @@
 #include "adapt/domain_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
+#include "mesher/geometry/even_odd.h"
+#include "mesher/geometry/segment_tree.h"
+
 namespace parmesan {
+namespace {
+
+/// Points along a path, n on each of its curves.
+Ring ring_along(const Path& path, int n) {
+  Ring ring;
+  for (const PathPiece& piece : path) {
+    const int parts = piece.curve ? n : 1;
+    for (int i = 0; i < parts; ++i)
+      ring.push_back(i == 0 ? piece.begin : piece.curve->at(static_cast<double>(i) / parts));
+  }
+  return ring;
+}
+
+double distance_to(const Ring& ring, const Point& p) {
+  double nearest = HUGE_VAL;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    nearest = std::min(nearest, norm(nearest_on_segment(ring[i], ring[(i + 1) % ring.size()], p) - p));
+  return nearest;
+}
+
+// Polygons with few points have inner points well off the path, but perhaps beyond it: the best of several.
+Point interior_point(const Path& path) {
+  constexpr int fine = 512;
+  const Ring outline = ring_along(path, fine);
+  Point best = parmesan::interior_point(outline);
+  double farthest = 0.0;
+  for (int n = 4; n <= fine; n *= 2) {
+    const Point p = parmesan::interior_point(ring_along(path, n));
+    if (!is_inside(p, outline) || distance_to(outline, p) <= farthest) continue;
+    best = p;
+    farthest = distance_to(outline, p);
+  }
+  return best;
+}
+
+}  // namespace
 
 DomainBuilder::DomainBuilder(Domain domain) : domain_(std::move(domain)) {
   for (const Segment& segment : domain_.segments)
@@ -34,6 +74,35 @@ void DomainBuilder::add_ring(const Ring& ring, const std::vector<std::string>& s
 void DomainBuilder::add_hole(const Ring& ring, const std::string& side) {
   add_ring(ring, {side});
   domain_.holes.push_back(interior_point(ring));
+}
+
+int DomainBuilder::curve(const Curve& curve) {
+  domain_.curves.push_back(curve);
+  return static_cast<int>(domain_.curves.size()) - 1;
+}
+
+// Where a curve and a line meet, the line's end is the one that the user gave.
+void DomainBuilder::add_path(const Path& path) {
+  const int first = static_cast<int>(domain_.points.size());
+  const int n = static_cast<int>(path.size());
+  for (int i = 0; i < n; ++i) {
+    const PathPiece& piece = path[static_cast<std::size_t>(i)];
+    const PathPiece& before = path[static_cast<std::size_t>((i + n - 1) % n)];
+    domain_.points.push_back(before.curve ? piece.begin : before.end);
+    const int along = piece.curve ? curve(*piece.curve) : -1;
+    domain_.segments.push_back({first + i, first + (i + 1) % n, label(piece.label), {}, false, along});
+  }
+}
+
+void DomainBuilder::add_hole(const Path& path) {
+  add_path(path);
+  domain_.holes.push_back(interior_point(path));
+}
+
+void DomainBuilder::add_curve(const Curve& along, const std::string& name, const std::optional<std::string>& right,
+                              bool is_required) {
+  add_segment(along.at(0.0), along.at(1.0), name, right, is_required);
+  domain_.segments.back().curve = curve(along);
 }
 
 void DomainBuilder::add_point(const Point& p, bool is_required) {

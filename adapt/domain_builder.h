@@ -10,6 +10,17 @@
 
 namespace parmesan {
 
+/// A piece of a closed path, straight or along a curve.
+struct PathPiece {
+  Point begin;
+  Point end;
+  std::string label;
+  std::optional<Curve> curve;
+};
+
+/// Pieces that each begin where the one before ends, and the first where the last ends.
+using Path = std::vector<PathPiece>;
+
 /// Puts a domain together whose labels and regions have names; labels are numbered from 1.
 class DomainBuilder {
  public:
@@ -22,12 +33,21 @@ class DomainBuilder {
   /// A ring with a hole seed inside.
   void add_hole(const Ring& ring, const std::string& side);
 
+  void add_path(const Path& path);
+
+  /// A path with a hole seed inside.
+  void add_hole(const Path& path);
+
   /// is_required: meshes are to mark it so.
   void add_point(const Point& p, bool is_required = false);
 
   /// right: makes it a crack, name being that of its left side. is_required: it stays one edge.
   void add_segment(const Point& a, const Point& b, const std::string& name,
                    const std::optional<std::string>& right = {}, bool is_required = false);
+
+  /// The same along a curve inside, between its ends.
+  void add_curve(const Curve& along, const std::string& name, const std::optional<std::string>& right = {},
+                 bool is_required = false);
   void add_region(const std::string& name, const Point& seed);
 
   /// Gives a label another name; several labels may come to have the same.
@@ -43,6 +63,7 @@ class DomainBuilder {
 
  private:
   int label(const std::string& name);
+  int curve(const Curve& curve);
 
   Domain domain_;
   std::map<std::string, int> label_of_name_;

@@ -38,9 +38,10 @@ T run(const Tape& tape, const T& x, const T& y, std::span<const double> extra) {
 Expression::Expression(std::shared_ptr<const Program> program) : program_(std::move(program)) {}
 
 Expression Expression::parse(std::string_view text, const std::map<std::string, double>& symbols,
-                             const std::vector<std::string>& extra_variables) {
+                             const std::vector<std::string>& extra_variables,
+                             const std::vector<std::string>& coordinates) {
   return Expression(std::make_shared<const Program>(
-      Program{std::string(text), extra_variables, compile(text, symbols, extra_variables)}));
+      Program{std::string(text), extra_variables, compile(text, symbols, extra_variables, coordinates)}));
 }
 
 Expression Expression::constant(double value) {

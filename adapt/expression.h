@@ -38,10 +38,12 @@ class ExpressionError : public InputError {
 class Expression {
  public:
   /// symbols: constants by name (the case's parameters). extra_variables: names beyond x and y
-  /// whose values are given at evaluation (nx, ny, exact); jets treat them as constants.
+  /// whose values are given at evaluation (nx, ny, exact); jets treat them as constants. coordinates: other names for
+  /// x and y, or for x alone.
   /// Errors: ExpressionError. Limits: depth 200, 10 000 tokens.
   static Expression parse(std::string_view text, const std::map<std::string, double>& symbols = {},
-                          const std::vector<std::string>& extra_variables = {});
+                          const std::vector<std::string>& extra_variables = {},
+                          const std::vector<std::string>& coordinates = {"x", "y"});
   static Expression constant(double value);
 
   /// extra: values of the extra variables, in the order given to parse.

@@ -16,8 +16,10 @@ bool is_reserved_name(std::string_view name) {
 bool ExpressionNames::is_function(std::string_view name) const { return find_unary(name) || find_binary(name); }
 
 std::optional<Instruction> ExpressionNames::find_variable(std::string_view name) const {
-  if (name == "x") return Instruction{.op = Op::X};
-  if (name == "y") return Instruction{.op = Op::Y};
+  const auto coordinate = std::find(coordinates_.begin(), coordinates_.end(), name);
+  if (coordinate != coordinates_.end()) {
+    return Instruction{.op = coordinate == coordinates_.begin() ? Op::X : Op::Y};
+  }
   if (name == "pi") return Instruction{.op = Op::Constant, .constant = std::numbers::pi};
   const auto extra = std::find(extra_variables_.begin(), extra_variables_.end(), name);
   if (extra != extra_variables_.end()) {
@@ -29,7 +31,8 @@ std::optional<Instruction> ExpressionNames::find_variable(std::string_view name)
 }
 
 std::string ExpressionNames::unknown(std::string_view name, bool called) const {
-  std::vector<std::string> variables{"x", "y", "pi"};
+  std::vector<std::string> variables = coordinates_;
+  variables.emplace_back("pi");
   for (const std::string& extra : extra_variables_) variables.push_back(extra);
   for (const auto& symbol : symbols_) variables.push_back(symbol.first);
   const std::vector<std::string>& functions = function_names();

@@ -17,12 +17,13 @@ bool is_reserved_name(std::string_view name);
 /// What the names in one expression mean. Keeps references: the arguments must outlive it.
 class ExpressionNames {
  public:
-  ExpressionNames(const std::map<std::string, double>& symbols, const std::vector<std::string>& extra_variables)
-      : symbols_(symbols), extra_variables_(extra_variables) {}
+  ExpressionNames(const std::map<std::string, double>& symbols, const std::vector<std::string>& extra_variables,
+                  const std::vector<std::string>& coordinates)
+      : symbols_(symbols), extra_variables_(extra_variables), coordinates_(coordinates) {}
 
   bool is_function(std::string_view name) const;
 
-  /// The instruction that pushes the value of x, y, pi, a symbol or an extra variable.
+  /// The instruction that pushes the value of x, y (or what they are called), pi, a symbol or an extra variable.
   std::optional<Instruction> find_variable(std::string_view name) const;
 
   /// The message for a name that means nothing: the nearest right one, and all that are allowed.
@@ -33,6 +34,7 @@ class ExpressionNames {
  private:
   const std::map<std::string, double>& symbols_;
   const std::vector<std::string>& extra_variables_;
+  const std::vector<std::string>& coordinates_;
 };
 
 }  // namespace parmesan

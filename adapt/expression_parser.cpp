@@ -201,8 +201,8 @@ class Parser {
 }  // namespace
 
 Tape compile(std::string_view text, const std::map<std::string, double>& symbols,
-             const std::vector<std::string>& extra_variables) {
-  const ExpressionNames names(symbols, extra_variables);
+             const std::vector<std::string>& extra_variables, const std::vector<std::string>& coordinates) {
+  const ExpressionNames names(symbols, extra_variables, coordinates);
   return Parser(tokenize(text), names).parse();
 }
 

@@ -64,6 +64,6 @@ inline constexpr std::size_t kMaxExpressionStack = 512;
 ///     atom: number | name | name '(' choice {',' choice} ')' | '(' choice ')'
 /// Errors: ExpressionError. Cost: O(length).
 Tape compile(std::string_view text, const std::map<std::string, double>& symbols,
-             const std::vector<std::string>& extra_variables);
+             const std::vector<std::string>& extra_variables, const std::vector<std::string>& coordinates);
 
 }  // namespace parmesan

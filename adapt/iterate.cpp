@@ -18,6 +18,8 @@
 #include "fem/dual.h"
 #include "mesher/cracks.h"
 #include "mesher/generate_around.h"
+#include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/geometry/segment_path.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
@@ -56,16 +58,6 @@ double peak_memory_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-double diagonal(const Domain& domain) {
-  Point low{HUGE_VAL, HUGE_VAL};
-  Point high{-HUGE_VAL, -HUGE_VAL};
-  for (const Point& p : domain.points) {
-    low = {std::fmin(low.x, p.x), std::fmin(low.y, p.y)};
-    high = {std::fmax(high.x, p.x), std::fmax(high.y, p.y)};
-  }
-  return norm(high - low);
 }
 
 void require_finite(const Case& input, const Iterate& iterate) {
@@ -144,7 +136,7 @@ std::optional<ExactFunction> known_function(const Case& input) {
 Iterate uniform_iterate(const Case& input, double vertices) {
   constexpr double coarse_sizes = 8.0;  // per diagonal
   const Stopwatch watch;
-  const ConstantField coarse(Metric::isotropic(diagonal(input.domain) / coarse_sizes));
+  const ConstantField coarse(Metric::isotropic(bounding_diagonal(points_around(input.domain)) / coarse_sizes));
   const double domain_area = area(generate(input.domain, coarse, input.mesher).mesh);
   const double wanted = complexity_for_vertices(vertices);
   const ConstantField field(Metric::isotropic(std::sqrt(domain_area / wanted)));

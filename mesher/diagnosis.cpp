@@ -225,8 +225,8 @@ Diagnosis with_required_triangles(Diagnosis diagnosis, const Mesh& mesh, std::sp
   Tallies found;
   for (const Edge& e : suspects.edges) {
     if (std::binary_search(done.begin(), done.end(), e)) continue;
-    found.add_edge(MisfitReason::Required, midpoint(mesh.points[at(e.low)], mesh.points[at(e.high)]),
-                   length_of(mesh, metrics, e.low, e.high));
+    found.add_edge(MisfitReason::Required, midpoint(mesh.points[at(e.first)], mesh.points[at(e.second)]),
+                   length_of(mesh, metrics, e.first, e.second));
   }
   for (const int t : suspects.triangles) {
     const auto& [a, b, c] = part.triangles[at(t)];

@@ -121,11 +121,6 @@ TEST_CASE("Parameters must have names of their own and finite values", "[adapt][
   CHECK_THAT(issues_with(R"(, "parameters": {"a": [1]})"), Catch::Contains("not a list of 1"));
 }
 
-TEST_CASE("What is promised but not there yet is refused plainly", "[adapt][case][errors]") {
-  CHECK(issue_text(R"({"geometry": {"curves": []}, "problem": {"interpolate": "x"}})") ==
-        "/geometry/curves: curves are not supported yet; give a polygon\n");
-}
-
 TEST_CASE("The number of issues shown is limited", "[adapt][case][errors]") {
   std::string many = ", \"metric\": {";
   for (int i = 0; i < 5000; ++i) many += (i > 0 ? ", \"k" : "\"k") + std::to_string(i) + "\": 1";

@@ -180,4 +180,11 @@ TEST_CASE("Every function of one argument has the derivatives of finite differen
   CHECK(e.jet({1.5, 0.0}).xx == Approx(slope([&](double t) { return e.jet({1.5 + t, 0.0}).x; }, 1e-3)).epsilon(1e-9));
 }
 
+TEST_CASE("An expression of another variable has its derivative by that", "[adapt][expression]") {
+  const Expression e = Expression::parse("r*sin(t) + t^2", {{"r", 3.0}}, {}, {"t"});
+  CHECK(e.value({0.4, 0.0}) == Approx(3.0 * std::sin(0.4) + 0.16).epsilon(1e-15));
+  CHECK(e.jet({0.4, 0.0}).x == Approx(3.0 * std::cos(0.4) + 0.8).epsilon(1e-14));
+  CHECK_THROWS_AS(Expression::parse("x + t", {}, {}, {"t"}), ExpressionError);
+}
+
 }  // namespace parmesan
