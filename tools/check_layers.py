@@ -18,7 +18,7 @@ FEM_READS_OF_MESHER = ("mesher/mesh.h", "mesher/errors.h")
 LIBRARIES = {
     "mesher": ("Eigen/", "omp.h"),
     "fem": ("Eigen/", "omp.h"),
-    "adapt": ("Eigen/", "omp.h", "nlohmann/", "zlib.h"),
+    "adapt": ("Eigen/", "omp.h", "nlohmann/", "zlib.h", "cairo.h"),
     "tools": ("Eigen/", "omp.h", "nlohmann/", "CLI/", "CGAL/", "benchmark/"),
 }
 POSIX = re.compile(r"^(sys/\w+|fcntl|unistd|signal|dirent|poll|malloc)\.h$")

@@ -150,11 +150,6 @@ bool Visitor::visit(VertexId v) {
   return true;
 }
 
-bool Visitor::try_move_freely(VertexId v) {
-  const Vector step = free_step(particles_, star_, v, options_);
-  return step != Vector{} && try_move(particles_, star_, v, step, options_.update);
-}
-
 // Flips the spokes that fail the in-circle test with v where it is now. A spoke and its reverse are
 // tested once per sweep, at the end that the even number of its edge belongs to.
 void Visitor::flip_spokes(VertexId v) {

@@ -10,6 +10,7 @@
 #include "mesher/particles/boundary.h"
 #include "mesher/particles/circumcentre.h"
 #include "mesher/particles/metric_flips.h"
+#include "mesher/particles/population.h"
 #include "mesher/particles/star.h"
 #include "mesher/particles/thesis_rules.h"
 #include "mesher/triangulation/delaunay.h"
