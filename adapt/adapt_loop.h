@@ -16,15 +16,15 @@ namespace parmesan {
 
 /// What the loop is given beside the case.
 struct LoopOptions {
-  int threads = 1;                                 // only reported
-  std::int64_t max_vertices = 10'000'000;          // safety limit, LimitError beyond
-  const std::atomic<bool>* interrupted = nullptr;  // looked at between stages
-  std::function<void(const LoopState&)> observer;  // after every row
-  const LoopState* resume = nullptr;               // goes on there
-  bool isotropic = false;                          // metrics of the form s I
-  std::optional<ErrorMeasure> measure;             // what metrics make small; absent: error_measure(targets)
-  const Iterate* start = nullptr;                  // begins there, with values, instead of on a uniform mesh
-  std::optional<InterpolationLimit> limit;         // computed on the first mesh when absent and needed
+  int threads = 1;                                      // only reported
+  std::int64_t max_vertices = 10'000'000;               // safety limit, LimitError beyond
+  const std::atomic<bool>* interrupted = nullptr;       // looked at between stages
+  std::function<void(const LoopState&)> observer = {};  // after every row
+  const LoopState* resume = nullptr;                    // goes on there
+  bool isotropic = false;                               // metrics of the form s I
+  std::optional<ErrorMeasure> measure = {};             // what metrics make small; absent: error_measure(targets)
+  const Iterate* start = nullptr;                       // begins there, with values, instead of on a uniform mesh
+  std::optional<InterpolationLimit> limit = {};         // computed on the first mesh when absent and needed
 };
 
 /// The rows and the last state.

@@ -37,7 +37,7 @@ struct Mesh {
   std::vector<int> labels;
   LabelNames label_names;
   LabelNames region_names;
-  RequiredParts required;
+  RequiredParts required = {};
 
   int num_vertices() const { return static_cast<int>(points.size()); }
   int num_triangles() const { return static_cast<int>(triangles.size()); }

@@ -167,7 +167,7 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
     const Segment whole = repair.domain.segments[i];
     const bool ends_freely =
         degree[static_cast<std::size_t>(whole.a)] == 1 && degree[static_cast<std::size_t>(whole.b)] == 1;
-    if (!whole.label_right || !ends_freely) continue;
+    if (!whole.label_right || !whole.is_straight() || !ends_freely) continue;
     const int middle = static_cast<int>(repair.domain.points.size());
     repair.domain.points.push_back(midpoint(repair.point(whole.a), repair.point(whole.b)));
     repair.point_sources.push_back(1 + *std::max_element(repair.point_sources.begin(), repair.point_sources.end()));

@@ -48,7 +48,8 @@ TEST_CASE("All issues of a case are reported at once, with place, remedy and nea
         "cases/mine.json:6:53: /problem/boundary/rigth: the geometry has no side 'rigth'; did you mean 'right'? Its "
         "sides are: 'bottom', 'right', 'top', 'left', and \"*\" stands for all others\n"
         "cases/mine.json:9:16: /targets/l2_eror: unknown key 'l2_eror'; did you mean 'l2_error'? Allowed here: "
-        "'l2_error', 'h1_error', 'linf_error', 'vertices', 'max_vertices', 'max_iterations', 'max_seconds'\n"
+        "'l2_error', 'h1_error', 'linf_error', 'goal_error', 'goal', 'vertices', 'max_vertices', 'max_iterations', "
+        "'max_seconds'\n"
         "cases/mine.json:9:33: /targets/max_iterations: must be a whole number of at least 1 and at most 10000, not "
         "the text 'many'\n"
         "cases/mine.json:10:26: /mesher/preset: must be one of 'fast', 'mid', 'good', not the text 'god'; did you mean "
@@ -99,7 +100,7 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
   CHECK(issues_with(R"(, "metric": [])") == "/metric: must be an object { }, not a list of 0\n");
   CHECK(issues_with(R"(, "title": null)") == "/title: must be a text, not null\n");
   CHECK(issues_with(R"(, "output": {"formats": ["vtk"]})") ==
-        "/output/formats/0: must be one of 'vtu', 'mesh', 'svg', not the text 'vtk'; did you mean 'vtu'?\n");
+        "/output/formats/0: must be one of 'vtu', 'mesh', 'svg', 'png', not the text 'vtk'; did you mean 'vtu'?\n");
   CHECK_THAT(issues_with(R"(, "name": "../../etc")"), Catch::Contains("must name a folder"));
   CHECK_THAT(issues_with(R"(, "name": "")"), Catch::Contains("must name a folder"));
   CHECK_THAT(issues_with(R"(, "metric": {"gradation": 0.9})"), Catch::Contains("above 1"));

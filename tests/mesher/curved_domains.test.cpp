@@ -164,7 +164,8 @@ TEST_CASE("Narrow gaps between curves, inside and outside, are kept", "[mesher]"
     sickle.points.insert(sickle.points.end(), {at(1.0, 0.0), at(1.0, 3.0), at(1.0 + gap, 3.0), at(1.0 + gap, 0.0)});
     sickle.curves.push_back(circular_arc({0.0, 0.0}, 1.0, 0.0, 3.0));
     sickle.curves.push_back(circular_arc({0.0, 0.0}, 1.0 + gap, 3.0, 0.0));
-    sickle.segments.insert(sickle.segments.end(), {{1, 2, 2, 1}, {2, 3, 3}, {3, 4, 4, 2}, {4, 1, 5}});
+    sickle.segments.insert(sickle.segments.end(),
+                           {{1, 2, 2, {}, false, 1}, {2, 3, 3}, {3, 4, 4, {}, false, 2}, {4, 1, 5}});
     sickle.holes = {at(1.0 + 0.5 * gap, 1.0)};
     const Mesh mesh = mesh_of(sickle, ConstantField(Metric::isotropic(0.7)));
     CHECK(oracle::problems_of(mesh).empty());

@@ -75,7 +75,7 @@ TEST_CASE("a required segment stays one edge, and the diagnosis says what that c
   const Schedule schedule = GENERATE(Schedule::Fast, Schedule::Thesis);
   const double h = GENERATE(0.05, 0.3, 2.0);
   GenerateOptions options{.schedule = schedule};
-  options.thesis.max_picks = 50;
+  options.particles.max_picks = 50;
   const GenerateResult result = generate(domain, ConstantField(Metric::isotropic(h)), options);
   check_valid(result.mesh, 1.0);
   CHECK(oracle::problems_of_cover(result.mesh, domain) == std::vector<std::string>{});

@@ -11,7 +11,7 @@ namespace parmesan::support {
 inline void add_closed_curve(Domain& domain, const Curve& curve, int label) {
   const int p = static_cast<int>(domain.points.size());
   domain.points.push_back(curve.at(0.0));
-  domain.segments.push_back({p, p, label, static_cast<int>(domain.curves.size())});
+  domain.segments.push_back({p, p, label, {}, false, static_cast<int>(domain.curves.size())});
   domain.curves.push_back(curve);
 }
 
@@ -39,7 +39,7 @@ inline Domain half_disc() {
   Domain domain;
   domain.points = {{1.0, 0.0}, {-1.0, 0.0}};
   domain.curves = {circular_arc({0.0, 0.0}, 1.0, 0.0, std::numbers::pi)};
-  domain.segments = {{0, 1, 1, 0}, {1, 0, 2}};
+  domain.segments = {{0, 1, 1, {}, false, 0}, {1, 0, 2}};
   return domain;
 }
 

@@ -131,7 +131,7 @@ TEST_CASE("An arc and a straight segment, or two arcs, may join the same points"
   lens.points = {{1.0, 0.0}, {-1.0, 0.0}};
   lens.curves = {circular_arc({0.0, -1.0}, std::sqrt(2.0), 0.25 * pi, 0.75 * pi),
                  circular_arc({0.0, 1.0}, std::sqrt(2.0), 1.25 * pi, 1.75 * pi)};
-  lens.segments = {{0, 1, 1, 0}, {1, 0, 2, 1}, {0, 1, 3}};
+  lens.segments = {{0, 1, 1, {}, false, 0}, {1, 0, 2, {}, false, 1}, {0, 1, 3}};
   const Outline outline = clean_outline(lens);
   CHECK(swept_area(outline.domain, 1) + swept_area(outline.domain, 2) == Approx(pi - 2.0).epsilon(0.1));
 }
@@ -174,7 +174,7 @@ TEST_CASE("Curves that cross or touch are refused with both segments and the pla
   SECTION("a curve along another") {
     Domain domain = support::disc(1.0);
     domain.points.insert(domain.points.end(), {{std::cos(1.0), std::sin(1.0)}, {std::cos(2.0), std::sin(2.0)}});
-    domain.segments.push_back({1, 2, 4, 1});
+    domain.segments.push_back({1, 2, 4, {}, false, 1});
     domain.curves.push_back(circular_arc({0.0, 0.0}, 1.0, 1.0, 2.0));
     CHECK_THAT(refusal(domain), Catch::Contains("cross or touch"));
   }
