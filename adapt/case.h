@@ -23,7 +23,7 @@ struct MetricOptions {
   MetricKind kind = MetricKind::SignAware;
   double norm = 2.0;  // p of the Lp norm, infinity allowed
   Recovery recovery = Recovery::ZienkiewiczZhu;
-  bool exact_hessian = false;                    // "recovery": "exact", from the exact expression
+  bool exact_hessian = false;  // "recovery": "exact", from the exact expression
   MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
   double h_min = 0.0;                            // smallest size, L; 0: none
   double h_max = 0.0;                            // largest size, L; 0: a quarter of the domain's diameter

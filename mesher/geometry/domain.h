@@ -43,8 +43,8 @@ enum class Inside {
 
 /// A planar graph of straight and curved segments: what is to be meshed.
 ///
-/// Every point becomes a vertex, every segment a chain of edges of the mesh with its vertices on the segment; a crack two
-/// chains, one along each side, that share only its free ends (see cracks.h). Units: L.
+/// Every point becomes a vertex, every segment a chain of edges of the mesh with its vertices on the segment; a crack
+/// two chains, one along each side, that share only its free ends (see cracks.h). Units: L.
 struct Domain {
   std::vector<Point> points;
   std::vector<Segment> segments;

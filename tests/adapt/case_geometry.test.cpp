@@ -190,7 +190,8 @@ TEST_CASE("Geometry that cannot be used is refused with what is allowed", "[adap
   CHECK(issues_with(R"("rectangle": {"min": [0, 1], "max": [1, 1]})") ==
         "/geometry/rectangle: 'min' must be smaller than 'max' in both coordinates\n");
   CHECK(issues_with(R"("disc": {"radius": 1}, "polygon": [[0,0],[1,0],[0,1]])") ==
-        "/geometry: give exactly one of 'rectangle', 'disc', 'ellipse', 'polygon', 'curves', 'naca', 'file'; found 'disc', 'polygon'\n");
+        "/geometry: give exactly one of 'rectangle', 'disc', 'ellipse', 'polygon', 'curves', 'naca', 'file'; found "
+        "'disc', 'polygon'\n");
   CHECK_THAT(issues_with(R"("rectangel": {"min": [0, 0], "max": [1, 1]})"), Catch::Contains("mean 'rectangle'"));
   CHECK(issues_with(R"("polygon": [[0, 0], [1, 0]])") ==
         "/geometry/polygon: must be a list of at least 3 points, not a list of 2\n");
