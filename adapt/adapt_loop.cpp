@@ -230,7 +230,7 @@ class Loop {
     MetricRequest for_goal = request;
     for_goal.measure = ErrorMeasure::Lp;
     for_goal.options.norm = 1.0;
-    const HessianMetric goal = metric_from_hessians(mesh, derivatives.goal, for_goal);
+    HessianMetric goal = metric_from_hessians(mesh, derivatives.goal, for_goal);
     if (!declares_norm_target(case_.targets)) return goal;
     return intersected(mesh, goal, metric_from_hessians(mesh, derivatives.absolute, request), request);
   }

@@ -34,6 +34,7 @@ std::vector<Segment> sides_of(const CaseGeometry& geometry) {
 /// A polygonal chain for each side.
 std::vector<std::vector<Point>> chains_along(const Domain& domain, const std::vector<Segment>& sides) {
   std::vector<std::vector<Point>> chains;
+  chains.reserve(sides.size());
   for (const Segment& side : sides) chains.push_back(points_along(domain, side));
   return chains;
 }

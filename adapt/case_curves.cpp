@@ -96,7 +96,8 @@ Curve read_circle(const Json& value) {
 std::optional<Curve> read_curve(CaseReading& reading, const Json& object, const std::string& pointer) {
   for (const std::string kind : {"arc", "ellipse", "spline", "parametric"}) {
     if (!object.contains(kind)) continue;
-    const std::string place = pointer + "/" + kind;
+    std::string place = pointer;
+    place.append("/").append(kind);
     try {
       return read_kind(reading, object, kind, place);
     } catch (const GeometryError& error) {

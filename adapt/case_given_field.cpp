@@ -25,6 +25,7 @@ std::vector<MeshField> scalars_at_vertices(const std::string& path) {
 /// The field of that name, or the only one. Nothing, and an issue, where it is not clear which is meant.
 std::optional<MeshField> choose(CaseReading& reading, std::vector<MeshField> fields, const std::string& name) {
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const MeshField& field : fields) names.push_back(field.name);
   if (name.empty() && fields.size() == 1) return std::move(fields.front());
   const auto found = std::find(names.begin(), names.end(), name);

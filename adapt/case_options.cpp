@@ -114,6 +114,7 @@ void read_metric(CaseReading& reading, Json& section, Case& result) {
 
 std::vector<std::string> names_of(const std::vector<CaseFunctional>& functionals) {
   std::vector<std::string> names;
+  names.reserve(functionals.size());
   for (const CaseFunctional& functional : functionals) names.push_back(functional.name);
   return names;
 }
