@@ -87,6 +87,7 @@ class Loop {
     warn_of_size();
     warn_of_misfits();
     warn_of_nonfinite();
+    warn_of_unresolved();
     Summary& summary = state_.summary;
     summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
     if (summary.stop_reason == StopReason::ErrorTarget && case_.targets.goal_error)
@@ -182,6 +183,17 @@ class Loop {
     state_.summary.warnings.push_back("the exact function or its gradient is not finite at " +
                                       std::to_string(error->num_nonfinite) +
                                       " quadrature points of the last mesh; the errors leave them out");
+  }
+
+  // Where errors are but estimated: residuals far above the recovered gradient's estimate. On meshes that resolve the
+  // data they are 0.7 to 1 of it.
+  void warn_of_unresolved() {
+    constexpr double far_above = 1.5;
+    const IterationRow& last = state_.summary.iterations.back();
+    if (last.solution_error || !last.residual_h1 || *last.residual_h1 <= far_above * last.estimated_error->h1) return;
+    state_.summary.warnings.push_back("the last mesh may not resolve the data: its residuals tell of an H1 error of " +
+                                      short_number(*last.residual_h1, 3) + ", the recovered gradient of " +
+                                      short_number(last.estimated_error->h1, 3));
   }
 
   std::optional<StopReason> budget_spent() const {

@@ -120,9 +120,9 @@ void fields(Archive& archive, GoalRow& g) {
 template <class Archive>
 void fields(Archive& archive, IterationRow& r) {
   archive(r.iteration, r.vertices, r.triangles, r.complexity, r.clipped, r.interpolation_error, r.efficiency,
-          r.solution_error, r.estimated_error, r.goal, r.solve_report, r.fluxes, r.functionals, r.unit_edges,
-          r.length_min, r.length_max, r.quality_min, r.quality_p01, r.quality_mean, r.quality_min_away_from_corners,
-          r.worst, r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
+          r.solution_error, r.estimated_error, r.residual_h1, r.goal, r.solve_report, r.fluxes, r.functionals,
+          r.unit_edges, r.length_min, r.length_max, r.quality_min, r.quality_p01, r.quality_mean,
+          r.quality_min_away_from_corners, r.worst, r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
 }
 
 template <class Archive>

@@ -16,6 +16,7 @@
 #include "adapt/stopwatch.h"
 #include "adapt/transfer.h"
 #include "fem/dual.h"
+#include "fem/residual_estimate.h"
 #include "mesher/cracks.h"
 #include "mesher/generate_around.h"
 #include "mesher/geometry/bounding_diagonal.h"
@@ -69,9 +70,22 @@ void require_finite(const Case& input, const Iterate& iterate) {
   }
 }
 
+/// Nothing where the source is not finite everywhere: one like 1/r is known by its divergence form only.
+std::optional<double> estimate_by_residuals(const Case& input, const Iterate& iterate) {
+  try {
+    return has_cracks(iterate.mesh) ? residual_estimate(moved_off_cracks(iterate.mesh), input.problem, iterate.values)
+                                    : residual_estimate(iterate.mesh, input.problem, iterate.values);
+  } catch (const ProblemError&) {
+    return std::nullopt;
+  }
+}
+
 void measure_errors(const Case& input, const Iterate& iterate, const std::optional<InterpolationLimit>& limit,
                     IterationRow& row) {
-  if (!input.interpolation) row.estimated_error = estimate_error(iterate.mesh, iterate.values);
+  if (!input.interpolation) {
+    row.estimated_error = estimate_error(iterate.mesh, iterate.values);
+    row.residual_h1 = estimate_by_residuals(input, iterate);
+  }
   const std::optional<ExactFunction> known = known_function(input);
   if (!known) return;
   const ExactFunction& exact = *known;

@@ -10,6 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
 
 Json norms(const std::optional<ErrorNorms>& e, bool with_l1) {
   if (!e) return nullptr;
@@ -22,15 +23,23 @@ Json norms(const std::optional<ErrorNorms>& e, bool with_l1) {
   return j;
 }
 
-Json estimate(const std::optional<EstimatedError>& e) {
+Json estimate(const IterationRow& row) {
+  const std::optional<EstimatedError>& e = row.estimated_error;
   if (!e) return nullptr;
-  return Json{{"l2", number(e->l2)}, {"h1", number(e->h1)}, {"linf", number(e->linf)}};
+  return Json{{"l2", number(e->l2)},
+              {"h1", number(e->h1)},
+              {"linf", number(e->linf)},
+              {"h1_residual", number(row.residual_h1)}};
 }
 
 // Estimated over true error.
-Json effectivity(const std::optional<EstimatedError>& estimated, const std::optional<ErrorNorms>& error) {
+Json effectivity(const IterationRow& row) {
+  const std::optional<EstimatedError>& estimated = row.estimated_error;
+  const std::optional<ErrorNorms>& error = row.solution_error;
   if (!estimated || !error) return nullptr;
-  return Json{{"l2", number(estimated->l2 / error->l2)}, {"h1", number(estimated->h1 / error->h1)}};
+  return Json{{"l2", number(estimated->l2 / error->l2)},
+              {"h1", number(estimated->h1 / error->h1)},
+              {"h1_residual", row.residual_h1 ? number(*row.residual_h1 / error->h1) : Json(nullptr)}};
 }
 
 Json goal(const std::optional<GoalRow>& g) {
@@ -38,7 +47,9 @@ Json goal(const std::optional<GoalRow>& g) {
   return Json{{"value", number(g->value)},
               {"estimate", number(g->estimate.error)},
               {"magnitude", number(g->estimate.magnitude)},
-              {"error", g->error ? number(*g->error) : Json(nullptr)},
+              {"error", number(g->error)},
+              {"corrected", number(g->corrected())},
+              {"corrected_error", number(g->corrected_error())},
               {"effectivity", g->error ? number(g->estimate.error / *g->error) : Json(nullptr)}};
 }
 
@@ -101,7 +112,7 @@ struct Column {
   const char* pointer;
 };
 
-constexpr std::array<Column, 39> columns{{
+constexpr std::array<Column, 43> columns{{
     {"iteration", "/iteration"},
     {"vertices", "/vertices"},
     {"triangles", "/triangles"},
@@ -117,12 +128,16 @@ constexpr std::array<Column, 39> columns{{
     {"estimated_l2", "/estimated_error/l2"},
     {"estimated_h1", "/estimated_error/h1"},
     {"estimated_linf", "/estimated_error/linf"},
+    {"estimated_h1_residual", "/estimated_error/h1_residual"},
     {"effectivity_l2", "/effectivity/l2"},
     {"effectivity_h1", "/effectivity/h1"},
+    {"effectivity_h1_residual", "/effectivity/h1_residual"},
     {"goal_value", "/goal/value"},
     {"goal_estimate", "/goal/estimate"},
     {"goal_magnitude", "/goal/magnitude"},
     {"goal_error", "/goal/error"},
+    {"goal_corrected", "/goal/corrected"},
+    {"goal_corrected_error", "/goal/corrected_error"},
     {"goal_effectivity", "/goal/effectivity"},
     {"unit_edges", "/unit_edges"},
     {"edge_length_min", "/edge_length/min"},
@@ -208,8 +223,8 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["interpolation_error"] = norms(row.interpolation_error, true);
   j["efficiency"] = row.efficiency ? number(*row.efficiency) : Json(nullptr);
   j["solution_error"] = norms(row.solution_error, false);
-  j["estimated_error"] = estimate(row.estimated_error);
-  j["effectivity"] = effectivity(row.estimated_error, row.solution_error);
+  j["estimated_error"] = estimate(row);
+  j["effectivity"] = effectivity(row);
   j["goal"] = goal(row.goal);
   j["solver"] = solver(row.solve_report);
   j["bounds"] = bounds(row.solve_report);

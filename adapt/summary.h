@@ -70,6 +70,10 @@ struct GoalRow {
   double value = 0.0;           // J(u_h)
   GoalError estimate;           // of J(u) - J(u_h)
   std::optional<double> error;  // J(u) - J(u_h), where J(u) is known
+
+  /// With what the estimate says added: Pierce & Giles, SIAM Rev. 42 (2000) 247.
+  double corrected() const { return value + estimate.error; }
+  std::optional<double> corrected_error() const { return error ? std::optional(*error - estimate.error) : error; }
 };
 
 /// One row of the report: a mesh, what it is worth and what it cost. Absent values are null.
@@ -83,6 +87,7 @@ struct IterationRow {
   std::optional<double> efficiency;
   std::optional<ErrorNorms> solution_error;
   std::optional<EstimatedError> estimated_error;
+  std::optional<double> residual_h1;          // as the residuals of the equation say (fem/residual_estimate.h)
   std::optional<GoalRow> goal;                // absent without a goal
   std::optional<SolveReport> solve_report;    // absent for interpolation
   std::map<std::string, double> fluxes;       // out through the sides of each label

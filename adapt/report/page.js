@@ -78,9 +78,9 @@ function verdict(summary) {
 }
 
 function goalTable(rows) {
-  return table('Goal', ['#', 'vertices', 'value', 'estimated error', 'error', 'effectivity'], rows.map((r) =>
+  return table('Goal', ['#', 'vertices', 'value', 'estimated error', 'error', 'effectivity', 'corrected'], rows.map((r) =>
     [r.iteration ?? r.family, r.vertices, shown(r.goal.value, 8), shown(r.goal.estimate), shown(r.goal.error),
-      shown(r.goal.effectivity, 3)].map(String)));
+      shown(r.goal.effectivity, 3), shown(r.goal.corrected, 8)].map(String)));
 }
 
 function iterationTable(rows) {

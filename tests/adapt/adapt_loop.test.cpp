@@ -154,6 +154,20 @@ TEST_CASE("a largest error is aimed at by its estimate where no exact solution i
   CHECK(error_norms(run.last.mesh, run.last.values, {exact, {}}).linf < 2 * 4e-3);
 }
 
+TEST_CASE("a mesh that does not resolve the source is warned of where errors are estimated", "[adapt][loop]") {
+  const auto warned = [](const std::string& source) {
+    const Case input = parse_case(R"({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+        "problem": {"source": ")" + source +
+                                      R"(", "boundary": {"*": {"dirichlet": 0}}},
+        "targets": {"vertices": 100, "max_iterations": 1}, "initial": {"vertices": 100}})",
+                                  "test.json");
+    const std::vector<std::string> warnings = adapt(input, {}).summary.warnings;
+    return std::ranges::count_if(warnings, [](const std::string& w) { return w.find("not resolve") < w.size(); });
+  };
+  CHECK(warned("sin(3*x)") == 0);
+  CHECK(warned("sin(3*x) + 20*cos(67*x)*cos(71*y)") == 1);
+}
+
 TEST_CASE("an interrupt ends the loop after the row under way", "[adapt][loop]") {
   std::atomic<bool> stop{false};
   LoopOptions options;

@@ -58,6 +58,25 @@ TEST_CASE("summary.json says where a mesh misses its metric and why, and what it
   CHECK(json["start_reason"] == "it fits");
 }
 
+TEST_CASE("summary.json has the functional that the estimate corrects, and what the residuals say",
+          "[adapt][summary]") {
+  Summary summary = one_row();
+  IterationRow& row = summary.iterations[0];
+  row.goal = GoalRow{2.0, {0.25, 0.5}, 0.2};
+  row.solution_error = ErrorNorms{1.0, 0.5, 2.0, 4.0};
+  row.estimated_error = EstimatedError{0.25, 2.0, 1.0};
+  row.residual_h1 = 3.0;
+  const nlohmann::ordered_json json = to_json(summary)["iterations"][0];
+  CHECK(json["goal"]["corrected"] == 2.25);
+  CHECK(json["goal"]["corrected_error"].get<double>() == Approx(-0.05).epsilon(1e-12));
+  CHECK(json["goal"]["effectivity"].get<double>() == Approx(1.25).epsilon(1e-12));
+  CHECK(json["estimated_error"]["h1_residual"] == 3.0);
+  CHECK(json["effectivity"]["h1"] == 0.5);
+  CHECK(json["effectivity"]["h1_residual"] == 0.75);
+  row.goal->error.reset();
+  CHECK(to_json(summary)["iterations"][0]["goal"]["corrected_error"].is_null());
+}
+
 TEST_CASE("absent and not finite values are null", "[adapt][summary]") {
   Summary summary = one_row();
   summary.iterations[0].interpolation_error->h1 = std::numeric_limits<double>::infinity();

@@ -50,6 +50,8 @@ void print_goal(std::ostream& out, const GoalRow& goal) {
     out << ", error " << format_number(*goal.error) << ", effectivity "
         << format_number(goal.estimate.error / *goal.error);
   }
+  out << "; corrected by it " << format_number(goal.corrected(), 8);
+  if (goal.error) out << ", error " << format_number(*goal.corrected_error());
   out << "\n";
 }
 
@@ -61,7 +63,9 @@ void print_row(std::ostream& out, const IterationRow& row) {
   print_norms(out, "interpolation error: ", row.interpolation_error);
   if (row.estimated_error) {
     out << "estimated error:     L2 " << format_number(row.estimated_error->l2) << ", H1 "
-        << format_number(row.estimated_error->h1) << ", max " << format_number(row.estimated_error->linf) << "\n";
+        << format_number(row.estimated_error->h1) << ", max " << format_number(row.estimated_error->linf);
+    if (row.residual_h1) out << "; H1 by residuals " << format_number(*row.residual_h1);
+    out << "\n";
   }
   if (row.goal) print_goal(out, *row.goal);
   if (row.efficiency) out << "efficiency:          " << format_number(*row.efficiency) << "\n";
