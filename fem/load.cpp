@@ -19,9 +19,10 @@ constexpr std::size_t MaxParts = 100'000;  // of one level; a source that is noi
 /// What the degree 4 rule says about a triangle or a part of one.
 struct Sample {
   SourceMoments moments{};
-  double magnitude = 0.0;    // integral of |f|, or what stands for it
-  double orbit_error = 0.0;  // difference of the integrals over the two orbits of three points
-  double spread = 0.0;       // of f, largest less smallest, times the area
+  double magnitude = 0.0;      // integral of |f|, or what stands for it
+  double orbit_error = 0.0;    // difference of the integrals over the two orbits of three points
+  double spread = 0.0;         // of f, largest less smallest, times the area
+  double corner_spread = 0.0;  // the same with the points beside the corners
 };
 
 /// A part of an element, its corners in the barycentric coordinates of the element.
@@ -49,8 +50,8 @@ std::array<Part, 4> subdivide(const Part& part) {
 /// The source on one element.
 class ElementSource {
  public:
-  ElementSource(const Problem& problem, const P1Element& element, int region)
-      : problem_(problem), element_(element), region_(region) {}
+  ElementSource(const Problem& problem, const P1Element& element, int region, bool with_corners)
+      : problem_(problem), element_(element), region_(region), with_corners_(with_corners) {}
 
   Sample sample(const Part& part) const {
     Sample result;
@@ -69,11 +70,27 @@ class ElementSource {
     }
     result.orbit_error = std::abs(orbit[0] - orbit[1]);
     result.spread = area * (largest - smallest);
+    if (with_corners_) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double f = beside_corner(part, i);
+        smallest = std::min(smallest, f);
+        largest = std::max(largest, f);
+      }
+      result.corner_spread = area * (largest - smallest);
+    }
     if (uses_divergence_form(problem_)) add_flux(part, area, result);
     return result;
   }
 
  private:
+  /// Not at the corner: f may be singular there.
+  double beside_corner(const Part& part, std::size_t i) const {
+    constexpr double aside = 1e-3;
+    Barycentric l{aside, aside, aside};
+    l[i] = 1.0 - 2.0 * aside;
+    return remainder_at(problem_, element_.at(combine(part.corners, l)), region_);
+  }
+
   /// q.grad phi_i. All rules are exact for the mean of q, so that only the rest counts as magnitude.
   void add_flux(const Part& part, double area, Sample& result) const {
     std::array<Vector, 6> flux;
@@ -99,6 +116,7 @@ class ElementSource {
   const Problem& problem_;
   const P1Element& element_;
   int region_;
+  bool with_corners_;
 };
 
 /// A part of a triangle and what was sampled there.
@@ -122,10 +140,15 @@ struct Children {
   }
 };
 
-Children children_of(const Mesh& mesh, const Problem& problem, const SampledPart& parent) {
+/// The corners of a part see a jump that its points do not, and what that can cost is not negligible.
+bool hides_jump(const Sample& sample, double negligible) {
+  return sample.corner_spread > std::max(3.0 * sample.spread, negligible);
+}
+
+Children children_of(const Mesh& mesh, const Problem& problem, const SampledPart& parent, bool with_corners) {
   const std::size_t t = parent.triangle;
   const P1Element element = p1_element(mesh, static_cast<int>(t));
-  const ElementSource source(problem, element, mesh.regions[t]);
+  const ElementSource source(problem, element, mesh.regions[t], with_corners);
   Children children;
   const std::array<Part, 4> parts = subdivide(parent.part);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -144,15 +167,18 @@ void add(const SourceMoments& part, SourceMoments& sum) {
 /// one, which halves with each level because a layer meets twice as many parts.
 void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open, const LoadAccuracy& accuracy,
             double global, std::vector<SourceMoments>& result) {
+  const bool with_corners = accuracy.min_depth > 0;
+  const double negligible = 0.1 * global * static_cast<double>(result.size());
   for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
     const std::vector<SampledPart> parents = std::exchange(open, {});
     std::vector<Children> families(parents.size());
-    for_each_in_parallel(parents.size(), [&](std::size_t k) { families[k] = children_of(mesh, problem, parents[k]); });
+    for_each_in_parallel(parents.size(),
+                         [&](std::size_t k) { families[k] = children_of(mesh, problem, parents[k], with_corners); });
     for (std::size_t k = 0; k < parents.size(); ++k) {
       const SampledPart& parent = parents[k];
       const Children& children = families[k];
       const bool is_confirmed = children.confirm(parent.sample, accuracy.tolerance, std::ldexp(global, 1 - depth));
-      if (is_confirmed && depth > accuracy.min_depth) {
+      if (is_confirmed && depth > accuracy.min_depth && !hides_jump(parent.sample, negligible)) {
         add(children.moments, result[parent.triangle]);
       } else {
         open.insert(open.end(), children.parts.begin(), children.parts.end());
@@ -194,7 +220,7 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
   std::vector<Sample> samples(mesh.triangles.size());
   for_each_in_parallel(samples.size(), [&](std::size_t t) {
     const P1Element element = p1_element(mesh, static_cast<int>(t));
-    samples[t] = ElementSource(problem, element, mesh.regions[t]).sample({});
+    samples[t] = ElementSource(problem, element, mesh.regions[t], accuracy.min_depth > 0).sample({});
   });
   double magnitude = 0.0;
   for (const Sample& sample : samples) magnitude += sample.magnitude;

@@ -16,7 +16,8 @@ struct LoadAccuracy {
   int min_depth = 0;        // of triangles that are subdivided at all, and around them
 };
 
-/// For functions that jump: all points of a triangle or a part may miss a slice of where they are not zero.
+/// For functions that jump: all points of a triangle or a part may miss a slice of where they are not zero. Points
+/// beside the corners are looked at too.
 inline constexpr LoadAccuracy accurate_load{1e-5, 3};
 
 /// The moments of the source on each triangle; empty where the problem has no source.
