@@ -54,8 +54,8 @@ function problemInWords(problem = {}) {
   return words;
 }
 
-function mesherInWords({thesis, ...options} = {}) {
-  return listed(options.schedule === 'thesis' ? {...options, ...thesis} : options);
+function mesherInWords({particles = {}, ...options} = {}) {
+  return [['Mesher', listed(options)], ['Particles', listed(particles)]];
 }
 
 // Pairs of a term and what it is in this case.
@@ -63,6 +63,6 @@ function caseInWords(input) {
   const words = [['Domain', geometryInWords(input.geometry)], ...problemInWords(input.problem)];
   if (input.parameters && Object.keys(input.parameters).length) words.push(['Parameters', listed(input.parameters)]);
   words.push(['Targets', listed(input.targets ?? {}) || 'none'], ['Metric', listed(input.metric ?? {})],
-    ['Mesher', mesherInWords(input.mesher)]);
+    ...mesherInWords(input.mesher));
   return words;
 }
