@@ -76,9 +76,10 @@ inline Jet apply(UnaryFunction f, const Jet& a) { return chain(derivatives(f, a.
 
 inline double apply(BinaryFunction f, double a, double b) { return value(f, a, b); }
 
-/// min and max hand the argument's own jet through.
+/// min and max hand the argument's own jet through; not-a-number stays so.
 inline Jet apply(BinaryFunction f, const Jet& a, const Jet& b) {
-  if (f == BinaryFunction::Min || f == BinaryFunction::Max) return value(f, a.value, b.value) == a.value ? a : b;
+  if (f == BinaryFunction::Min || f == BinaryFunction::Max)
+    return std::isnan(a.value) || value(f, a.value, b.value) == a.value ? a : b;
   return chain(derivatives(f, a.value, b.value), a, b);
 }
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <string>
 
@@ -116,12 +117,27 @@ TEST_CASE("Expression refuses bombs quickly and keeps what fits", "[adapt][expre
   CHECK(std::isinf(at_origin("9^9^9^9")));
 }
 
+TEST_CASE("The longest expressions are compiled and evaluated in time", "[adapt][expression][errors]") {
+  const auto cpu_seconds = [](const auto& work) {
+    const std::clock_t start = std::clock();
+    work();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  const std::string longest = repeated("pow(x,y)^y*", 1111) + "1";  // 10 000 tokens
+  const Expression expression = Expression::parse(longest);
+  CHECK(cpu_seconds([&] { Expression::parse(longest); }) < 0.5);
+  CHECK(cpu_seconds([&] { expression.jet({1.5, 0.5}); }) < 0.1);
+  CHECK(cpu_seconds([] { message_of(repeated("sin(x+", 170000)); }) < 0.5);
+  CHECK(cpu_seconds([] { message_of(repeated("x?y:", 250000)); }) < 0.5);
+}
+
 TEST_CASE("Expression gives inf or nan, never a wrong number, where no value exists", "[adapt][expression]") {
   CHECK(std::isinf(at_origin("1/0")));
   CHECK(std::isnan(at_origin("0/0")));
   CHECK(std::isnan(at_origin("sqrt(-1)")));
   CHECK(std::isnan(Expression::parse("max(x/y, 1)").value({0.0, 0.0})));
   CHECK(std::isnan(Expression::parse("min(1, x/y)").jet({0.0, 0.0}).value));
+  CHECK(std::isnan(Expression::parse("max(x/y, 1)").jet({0.0, 0.0}).value));
 }
 
 }  // namespace parmesan
