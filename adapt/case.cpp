@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "adapt/case_reading.h"
@@ -10,6 +9,7 @@
 #include "adapt/expression_names.h"
 #include "adapt/json_text.h"
 #include "adapt/schema_check.h"
+#include "mesher/io/text.h"
 
 namespace parmesan {
 namespace {
@@ -63,6 +63,7 @@ void read_parameters(CaseReading& reading) {
   Json& root = reading.document.root;
   if (!root.contains("parameters") || !root["parameters"].is_object()) return;
   for (auto& [name, value] : root["parameters"].items()) {
+    if (reading.issues.full()) return;
     if (!name.starts_with("x-")) read_parameter(reading, name, value);
   }
 }
@@ -136,16 +137,10 @@ namespace {
 
 std::string case_text(const std::string& path) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw FileError(path, 0, "there is no such file");
-  if (!fs::is_regular_file(status)) throw FileError(path, 0, "this is not a regular file");
-  if (fs::file_size(path, error) > kMaxCaseBytes && !error) {
+  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kMaxCaseBytes && !error) {
     throw CaseError(path, {{"", 0, 0, "larger than " + std::to_string(kMaxCaseBytes >> 20) + " MiB"}});
   }
-  std::ifstream stream(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream.good() && !stream.eof()) throw FileError(path, 0, "cannot be read");
-  return text;
+  return read_file(path, kMaxCaseBytes);
 }
 
 }  // namespace
@@ -158,6 +153,7 @@ std::optional<Domain> read_case_domain(const std::string& path) {
   constexpr bool throws = false;
   constexpr bool ignores_comments = true;
   const std::string text = case_text(path);
+  if (find_excess(text)) return std::nullopt;
   const Json root = Json::parse(text, nullptr, throws, ignores_comments);
   if (!root.is_object() || !root.contains("geometry") || root.contains("type")) return std::nullopt;
   std::vector<Override> any_problem;

@@ -26,33 +26,27 @@ std::string plain_message(const std::string& what) {
 std::string too_deep() { return "nested more than " + std::to_string(kMaxCaseDepth) + " deep"; }
 
 Json parse_json(const std::string& text, const std::string& file) {
-  if (text.size() > kMaxCaseBytes) refuse(file, {}, "larger than " + std::to_string(kMaxCaseBytes >> 20) + " MiB");
-  const auto limit_depth = [&file](int depth, Json::parse_event_t, const Json&) {
-    if (depth > kMaxCaseDepth) refuse(file, {}, too_deep());
-    return true;
+  const auto refuse_at = [&](std::size_t offset, const std::string& problem) {
+    refuse(file, line_column(text, offset), problem);
   };
+  if (const std::optional<Excess> excess = find_excess(text)) refuse_at(excess->offset, excess->problem);
+  // nlohmann's parser takes a NUL for the end.
+  if (const std::size_t nul = text.find('\0'); nul != std::string::npos) refuse_at(nul, "not JSON: a NUL character");
   try {
-    return Json::parse(text, limit_depth, true, true);
+    return Json::parse(text, nullptr, true, true);
   } catch (const Json::parse_error& error) {
-    const LineColumn at = line_column(text, error.byte > 0 ? error.byte - 1 : 0);
-    refuse(file, at, "not JSON: " + plain_message(error.what()));
+    refuse_at(error.byte > 0 ? error.byte - 1 : 0, "not JSON: " + plain_message(error.what()));
   } catch (const Json::exception& error) {  // a number beyond double precision
-    refuse(file, {}, "not JSON: " + plain_message(error.what()));
+    refuse_at(find_overflow(text).value_or(0), "not JSON: " + plain_message(error.what()));
   }
+  return {};
 }
 
 /// VALUE as JSON where it is, else as the text itself.
 std::optional<Json> override_value(const std::string& text) {
-  bool deep = false;
-  const auto limit_depth = [&deep](int depth, Json::parse_event_t, const Json&) {
-    deep = deep || depth > kMaxCaseDepth;
-    return !deep;
-  };
-  if (text.size() > kMaxCaseBytes) return std::nullopt;
+  if (find_excess(text)) return std::nullopt;
   try {
-    Json value = Json::parse(text, limit_depth, true, true);
-    if (deep) return std::nullopt;
-    return value;
+    return Json::parse(text, nullptr, true, true);
   } catch (const Json::exception&) {
     return Json(text);
   }
@@ -78,7 +72,8 @@ void apply_override(const Override& entry, CaseDocument& document, CaseIssues& i
     return issues.add(entry.pointer, "not a JSON pointer to set; write for example /targets/max_iterations=5");
   }
   std::optional<Json> value = override_value(entry.value);
-  if (!value || steps->size() > static_cast<std::size_t>(kMaxCaseDepth)) return issues.add(entry.pointer, too_deep());
+  if (!value || steps->size() > static_cast<std::size_t>(kMaxCaseDepth))
+    return issues.add(entry.pointer, value ? too_deep() : find_excess(entry.value)->problem);
   Json* place = &document.root;
   for (const std::string& step : *steps) {
     place = child(*place, step);
@@ -108,6 +103,14 @@ CaseIssue place_issue(const CaseDocument& document, const RawIssue& issue) {
 }
 
 }  // namespace
+
+std::optional<Excess> find_excess(const std::string& text) {
+  if (text.size() > kMaxCaseBytes) return Excess{0, "larger than " + std::to_string(kMaxCaseBytes >> 20) + " MiB"};
+  if (const auto offset = find_nesting_beyond(text, kMaxCaseDepth)) return Excess{*offset, too_deep()};
+  if (const auto offset = find_names_beyond(text, kMaxCaseNames))
+    return Excess{*offset, "an object has more than " + std::to_string(kMaxCaseNames) + " names"};
+  return std::nullopt;
+}
 
 CaseDocument load_document(const std::string& text, const std::string& file, const std::vector<Override>& overrides,
                            CaseIssues& issues) {

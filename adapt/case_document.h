@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +19,18 @@ struct CaseDocument {
   std::vector<std::string> overridden;  // JSON pointers that --set gave
 };
 
-/// The largest case file and its deepest nesting.
+/// The largest case file, its deepest nesting and its largest object.
 inline constexpr std::size_t kMaxCaseBytes = std::size_t{64} << 20;
 inline constexpr int kMaxCaseDepth = 64;
+inline constexpr std::size_t kMaxCaseNames = 2000;
+
+/// One of these limits that a text, JSON or not, exceeds. Recursive code would not survive deep nesting, and an ordered
+/// object finds a name by looking at each.
+struct Excess {
+  std::size_t offset = 0;
+  std::string problem;
+};
+std::optional<Excess> find_excess(const std::string& text);
 
 /// Parses the text, notes repeated keys, and applies the overrides.
 /// Errors: CaseError when the text is not JSON within the limits.

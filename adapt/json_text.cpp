@@ -14,7 +14,8 @@ struct JsonToken {
   std::size_t end = 0;
 };
 
-/// Tokens of a valid JSON text, one after the other.
+/// Tokens of a JSON text, one after the other; of one that is not valid those that nlohmann's parser sees, up to where
+/// it stops.
 class JsonTokens {
  public:
   explicit JsonTokens(std::string_view text) : text_(text) {
@@ -51,7 +52,7 @@ class JsonTokens {
     while (offset_ < text_.size()) {
       const std::string_view rest = text_.substr(offset_);
       if (rest.starts_with("//")) {
-        offset_ = std::min(text_.find('\n', offset_), text_.size());
+        offset_ = std::min(text_.find_first_of("\r\n", offset_), text_.size());
       } else if (rest.starts_with("/*")) {
         offset_ = std::min(text_.find("*/", offset_ + 2), text_.size() - 2) + 2;
       } else if (std::string_view(" \t\r\n").find(rest.front()) != std::string_view::npos) {
@@ -148,6 +149,36 @@ std::vector<DuplicateKey> find_duplicate_keys(std::string_view text) {
     }
   }
   return duplicates;
+}
+
+std::optional<std::size_t> find_nesting_beyond(std::string_view text, int most) {
+  JsonTokens tokens(text);
+  int depth = 0;
+  for (JsonToken token = tokens.next(); token.kind != '\0'; token = tokens.next()) {
+    if (token.kind == '}' || token.kind == ']') --depth;
+    if ((token.kind == '{' || token.kind == '[') && ++depth > most) return token.begin;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> find_names_beyond(std::string_view text, std::size_t most) {
+  JsonTokens tokens(text);
+  std::vector<std::size_t> counts;  // of the objects and arrays that are open
+  JsonToken before;
+  for (JsonToken token = tokens.next(); token.kind != '\0'; before = token, token = tokens.next()) {
+    if (token.kind == '{' || token.kind == '[') counts.push_back(0);
+    if ((token.kind == '}' || token.kind == ']') && !counts.empty()) counts.pop_back();
+    if (token.kind == ':' && !counts.empty() && ++counts.back() > most) return before.begin;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> find_overflow(std::string_view text) {
+  JsonTokens tokens(text);
+  for (JsonToken token = tokens.next(); token.kind != '\0'; token = tokens.next())
+    if (token.kind == 'v' && !nlohmann::json::accept(text.substr(token.begin, token.end - token.begin)))
+      return token.begin;
+  return std::nullopt;
 }
 
 LineColumn line_column(std::string_view text, std::size_t offset) {

@@ -28,6 +28,17 @@ struct DuplicateKey {
 /// Every repeated member name of a valid JSON text. Cost: O(text log text).
 std::vector<DuplicateKey> find_duplicate_keys(std::string_view text);
 
+/// The bracket that opens the first value nested deeper than this. The text may be anything, so that it can be asked
+/// before parsing; values that follow what is no JSON are not looked at for sure. Cost: O(text), no memory.
+std::optional<std::size_t> find_nesting_beyond(std::string_view text, int most);
+
+/// The name with which an object first has more than so many. The text may be anything, but not nested without limit.
+/// Cost: O(text).
+std::optional<std::size_t> find_names_beyond(std::string_view text, std::size_t most);
+
+/// The first number of a text, otherwise valid JSON, that is too large for double precision. Cost: O(text).
+std::optional<std::size_t> find_overflow(std::string_view text);
+
 /// 1-based; columns count characters (UTF-8), not bytes.
 struct LineColumn {
   int line = 0;

@@ -37,6 +37,7 @@ std::string nearest_name(std::string_view written, std::span<const std::string> 
   std::string best;
   std::size_t smallest = std::max<std::size_t>(1, written.size() / 2) + 1;
   for (const std::string& name : allowed) {
+    if (name.size() > kLongestCompared) continue;
     const std::size_t distance = edit_distance(lower(written), lower(name));
     if (distance >= smallest || distance >= name.size()) continue;
     smallest = distance;
@@ -51,9 +52,12 @@ std::string suggestion(std::string_view written, std::span<const std::string> al
 }
 
 std::string quoted_list(std::span<const std::string> names) {
+  constexpr std::size_t most = 100;
   if (names.empty()) return "(none)";
   std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "'" : ", '") + name + "'";
+  for (const std::string& name : names.first(std::min(names.size(), most)))
+    list += (list.empty() ? "'" : ", '") + name.substr(0, kLongestCompared) + "'";
+  if (names.size() > most) list += " and " + std::to_string(names.size() - most) + " more";
   return list;
 }
 

@@ -1,6 +1,7 @@
 #include "adapt/json_text.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 namespace parmesan {
 namespace {
@@ -45,6 +46,35 @@ TEST_CASE("find_duplicate_keys finds equal names in one object only", "[adapt][j
   CHECK(duplicates[0].pointer == "/b/1/c");
   CHECK(word_at(text, duplicates[0].offset) == "\"\\u0063\"");
   CHECK(duplicates[1].pointer == "/a");
+}
+
+TEST_CASE("comments end with a carriage return too, as they do for the parser", "[adapt][json]") {
+  const std::string text = "{ // one\r \"a\": 1, // \"a\": two\r\n \"a\": 3 }";
+  REQUIRE(nlohmann::json::accept(text, true));
+  CHECK(word_at(text, locate(text, "/a").value) == "1");
+  CHECK(find_duplicate_keys(text).size() == 1);
+}
+
+TEST_CASE("find_nesting_beyond finds the bracket that is too deep, in any text", "[adapt][json]") {
+  const std::string text = "{\"a\": [{\"b\": \"[[[\"}, // [[[\r [[]]], [";
+  CHECK_FALSE(find_nesting_beyond(text, 4));
+  CHECK(find_nesting_beyond(text, 3) == text.find("[]"));
+  CHECK(find_nesting_beyond(text, 1) == text.find('['));
+  CHECK(find_nesting_beyond(std::string(100000, '['), 64) == 64);
+  CHECK_FALSE(find_nesting_beyond("]]]]", 1));
+}
+
+TEST_CASE("find_names_beyond counts the names of each object for itself", "[adapt][json]") {
+  const std::string text = R"({"a": {"b": 1, "c": 2, "d": [{"e": 1}, {"f": 2}]}, "g": "\":", "h": 3})";
+  CHECK_FALSE(find_names_beyond(text, 3));
+  CHECK(find_names_beyond(text, 2) == text.find("\"d\""));
+  CHECK_FALSE(find_names_beyond("}}:::", 0));
+}
+
+TEST_CASE("find_overflow finds the number that is too large", "[adapt][json]") {
+  const std::string text = R"({"a": [1e308, -1e999, 1e999], "1e999": "1e999"})";
+  CHECK(find_overflow(text) == text.find("-1e999"));
+  CHECK_FALSE(find_overflow("[1e308, 1e-999, true, null]"));
 }
 
 TEST_CASE("line_column counts from 1 and in characters", "[adapt][json]") {
