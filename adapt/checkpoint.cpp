@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "adapt/archive.h"
+#include "adapt/subfolder.h"
 #include "mesher/errors.h"
 #include "mesher/io/output_file.h"
+#include "mesher/io/text.h"
 
 namespace parmesan {
 
@@ -144,33 +145,64 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'03;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
 
-void check_indices(const Mesh& mesh) {
-  const auto sound = [n = mesh.num_vertices()](int v) { return v >= 0 && v < n; };
-  for (const auto& t : mesh.triangles)
-    if (!std::ranges::all_of(t, sound)) throw InputError("has triangles without vertices");
-  for (const auto& e : mesh.edges)
-    if (!std::ranges::all_of(e, sound)) throw InputError("has edges without vertices");
+void check_mesh(const Mesh& mesh) {
+  try {
+    validate(mesh);
+  } catch (const GeometryError& error) {
+    throw InputError(std::string("has a mesh that cannot be used: ") + error.what());
+  }
 }
 
+bool all_finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+template <class Enumeration>
+bool is_known(Enumeration value) {
+  return !to_string(value).empty();
+}
+
+bool is_sound(const Diagnosis& diagnosis) {
+  const auto sound = [](const Misfits& misfits) { return is_known(misfits.reason); };
+  return std::ranges::all_of(diagnosis.long_edges, sound) && std::ranges::all_of(diagnosis.short_edges, sound) &&
+         std::ranges::all_of(diagnosis.poor_triangles, sound);
+}
+
+bool is_sound(const Iterate& iterate) {
+  const std::size_t n = iterate.mesh.points.size();
+  return iterate.metrics.size() == n && iterate.values.size() == n && all_finite(iterate.values) &&
+         (iterate.dual.empty() || iterate.dual.size() == n) && all_finite(iterate.dual) &&
+         std::isfinite(iterate.complexity) && is_known(iterate.report.start) && is_sound(iterate.report.diagnosis);
+}
+
+bool is_sound(const Summary& summary) {
+  for (std::size_t k = 0; k < summary.iterations.size(); ++k) {
+    const IterationRow& row = summary.iterations[k];
+    if (row.iteration != static_cast<int>(k) || !is_known(row.start) || !is_sound(row.diagnosis)) return false;
+  }
+  return is_known(summary.stop_reason);
+}
+
+bool is_sound(const SizeStep& step) {
+  return std::isfinite(step.asked) && step.asked > 0.0 && std::isfinite(step.vertices) && step.vertices > 0.0;
+}
+
+// A checksum finds damage, not forgery: the loop and the report must be able to compute on whatever passes.
 void check(const LoopState& state) {
-  const Iterate& last = state.last;
-  check_indices(last.mesh);
-  if (last.relaxed) check_indices(*last.relaxed);
-  const std::size_t n = last.mesh.points.size();
-  const bool agrees =
-      last.metrics.size() == n && last.values.size() == n && (last.dual.empty() || last.dual.size() == n) &&
-      last.mesh.regions.size() == last.mesh.triangles.size() && last.mesh.labels.size() == last.mesh.edges.size() &&
-      !state.history.empty() && state.history.size() == state.summary.iterations.size();
+  check_mesh(state.last.mesh);
+  if (state.last.relaxed) check_mesh(*state.last.relaxed);
+  const bool agrees = is_sound(state.last) && is_sound(state.summary) && std::isfinite(state.asked) &&
+                      std::isfinite(state.seconds) && !state.history.empty() &&
+                      state.history.size() == state.summary.iterations.size() &&
+                      std::ranges::all_of(state.history, [](const SizeStep& step) { return is_sound(step); });
   if (!agrees) throw InputError("contradicts itself");
 }
 
 std::string read_bytes(const fs::path& path) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 36;  // some 10^9 vertices
   std::error_code error;
-  if (!fs::is_regular_file(fs::symlink_status(path, error))) throw InputError("is not a regular file");
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream.good() && !stream.eof()) throw InputError("cannot be read");
-  return bytes;
+  if (!fs::is_regular_file(fs::symlink_status(path, error))) throw FileError(path, 0, "is not a regular file");
+  return read_file(path, most);
 }
 
 int last_row(const Checkpoint& checkpoint) { return checkpoint.state.summary.iterations.back().iteration; }
@@ -213,10 +245,7 @@ Checkpoint decode_checkpoint(std::string_view bytes) {
 }
 
 void write_checkpoint(const std::string& folder, const LoopState& state, std::uint64_t case_hash) {
-  const std::string path = folder + "/checkpoint";
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) throw FileError(path, 0, "cannot make the folder: " + error.message());
+  const std::string path = make_subfolder(folder, "checkpoint");
   const int row = state.summary.iterations.back().iteration;
   write_file(path + "/" + names[static_cast<std::size_t>(row % 2)], encode_checkpoint(state, case_hash), true);
 }
@@ -232,6 +261,8 @@ FoundCheckpoint find_checkpoint(const std::string& folder) {
       if (!found.checkpoint || last_row(candidate) > last_row(*found.checkpoint)) {
         found.checkpoint = std::move(candidate);
       }
+    } catch (const FileError& problem) {
+      found.problems.emplace_back(problem.what());
     } catch (const InputError& problem) {
       found.problems.push_back(path.string() + " " + problem.what());
     }

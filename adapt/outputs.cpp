@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapt/io/png.h"
+#include "adapt/subfolder.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/output_file.h"
@@ -120,8 +121,8 @@ bool RunFolder::wants(const std::string& format) const {
 }
 
 void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row) {
-  const std::string folder = file("iterations/" + three_digits(static_cast<std::size_t>(row.iteration)));
-  make_folder(folder);
+  const std::string folder =
+      make_subfolder(path_, "iterations/" + three_digits(static_cast<std::size_t>(row.iteration)));
   if (wants("vtu")) write_vtu(folder + "/mesh.vtu", iterate.mesh, fields_of(case_, iterate));
   if (!wants("mesh")) return;
   write_medit(folder + "/mesh.mesh", iterate.mesh);

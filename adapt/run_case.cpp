@@ -81,6 +81,9 @@ std::optional<LoopState> state_to_resume(const std::string& path, std::uint64_t 
   FoundCheckpoint found = find_checkpoint(path);
   for (const std::string& problem : found.problems) say(options, problem);
   if (!found.checkpoint) {
+    if (!found.problems.empty())
+      throw FileError(path, 0,
+                      "no checkpoint can be used: " + found.problems.back() + "; --overwrite replaces the run");
     if (std::filesystem::exists(path + "/summary.json"))
       throw FileError(path, 0, "this run has no checkpoint to go on from; --overwrite replaces it");
     say(options, "there is no checkpoint to go on from: starting anew");

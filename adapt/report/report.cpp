@@ -4,8 +4,6 @@
 #include <array>
 #include <bit>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "adapt/case_document.h"
 #include "adapt/checkpoint.h"
 #include "adapt/report/mesh_picture.h"
 #include "adapt/report/page.h"
@@ -20,6 +19,7 @@
 #include "mesher/io/base64.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/picture/colour_map.h"
+#include "mesher/io/text.h"
 
 namespace parmesan {
 namespace {
@@ -39,12 +39,10 @@ struct Entry {
 };
 
 std::string read_text(const std::string& path) {
+  constexpr std::uint64_t most = std::uint64_t{4} * kMaxCaseBytes;  // with every default and indented
   std::error_code error;
   if (!fs::is_regular_file(path, error)) throw FileError(path, 0, "is not there: no finished run or comparison");
-  std::ifstream stream(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream.good() && !stream.eof()) throw FileError(path, 0, "cannot be read");
-  return text;
+  return read_file(path, most);
 }
 
 // Deeper nesting would be the end of recursive code.

@@ -1,8 +1,10 @@
 #include "adapt/checkpoint.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <random>
 
 #include "adapt/adapt_loop.h"
@@ -95,6 +97,52 @@ TEST_CASE("counts in a checkpoint are not believed, even when its checksum is ri
     }
   }
   CHECK(refused > 10);
+}
+
+TEST_CASE("a state that nothing could go on from is refused, even when its checksum is right",
+          "[adapt][resume][errors]") {
+  const LoopState sound = some_state();
+  const auto refused = [&sound](const auto& spoil) {
+    LoopState state = sound;
+    spoil(state);
+    try {
+      decode_checkpoint(encode_checkpoint(state, some_case));
+    } catch (const InputError&) {
+      return true;
+    }
+    return false;
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(refused([](LoopState&) {}));
+  CHECK(refused([](LoopState& s) { s.last.values.front() = nan; }));
+  CHECK(refused([](LoopState& s) { s.last.values.pop_back(); }));
+  CHECK(refused([](LoopState& s) { s.last.metrics.pop_back(); }));
+  CHECK(refused([](LoopState& s) { s.last.dual = {1.0}; }));
+  CHECK(refused([](LoopState& s) { s.last.mesh.points.front().x = HUGE_VAL; }));
+  CHECK(refused([](LoopState& s) { std::swap(s.last.mesh.triangles[0][0], s.last.mesh.triangles[0][1]); }));
+  CHECK(refused([](LoopState& s) { s.last.mesh.triangles[0][0] = -1; }));
+  CHECK(refused([](LoopState& s) { s.last.mesh.required.vertices = {1 << 30}; }));
+  CHECK(refused([](LoopState& s) { s.last.relaxed = Mesh(); }));
+  CHECK(refused([](LoopState& s) { s.asked = nan; }));
+  CHECK(refused([](LoopState& s) { s.history.front().asked = -1.0; }));
+  CHECK(refused([](LoopState& s) { s.history.clear(); }));
+  CHECK(refused([](LoopState& s) { s.summary.iterations.back().iteration = -1; }));
+  CHECK(refused([](LoopState& s) { s.summary.iterations.back().start = static_cast<Start>(99); }));
+  CHECK(refused([](LoopState& s) { s.summary.stop_reason = static_cast<StopReason>(-5); }));
+  CHECK(refused([](LoopState& s) {
+    s.last.report.diagnosis.poor_triangles.emplace_back().reason = static_cast<MisfitReason>(99);
+  }));
+}
+
+TEST_CASE("a checkpoint of another version of the program is refused as such", "[adapt][resume][errors]") {
+  std::string bytes = encode_checkpoint(some_state(), some_case);
+  bytes.resize(bytes.size() - sizeof(std::uint64_t));
+  const std::size_t place = bytes.find(PARMESAN_VERSION);
+  REQUIRE(place < 32);
+  bytes[place] = '9';
+  const std::uint64_t sum = checksum(bytes);
+  bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  CHECK_THROWS_WITH(decode_checkpoint(bytes), Catch::Contains("another version"));
 }
 
 TEST_CASE("two generations of checkpoints are kept, and the older one serves where the newer is damaged",

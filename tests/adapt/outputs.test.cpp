@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "adapt/subfolder.h"
 #include "mesher/errors.h"
 #include "tests/adapt/loop_cases.h"
 
@@ -14,6 +15,23 @@ TEST_CASE("prepare_folder makes folders, also nested ones", "[adapt][run]") {
   prepare_folder(folder.file("a/b"), EarlierFiles::Refuse);
   CHECK(folder.has("a/b"));
   prepare_folder(folder.file("a/b"), EarlierFiles::Refuse);  // empty ones may be used again
+}
+
+TEST_CASE("make_subfolder makes folders and follows no link out of the first", "[adapt][run][errors]") {
+  const support::TemporaryFolder folder("subfolder");
+  std::filesystem::create_directories(folder.file("out"));
+  std::filesystem::create_directories(folder.file("elsewhere"));
+  CHECK(make_subfolder(folder.file("out"), "a/b") == folder.file("out/a/b"));
+  CHECK(make_subfolder(folder.file("out"), "a/b") == folder.file("out/a/b"));
+  CHECK(folder.has("out/a/b"));
+  std::filesystem::create_directory_symlink(folder.file("elsewhere"), folder.file("out/link"));
+  std::filesystem::create_directory_symlink(folder.file("none"), folder.file("out/dangling"));
+  std::ofstream(folder.file("out/file")) << "text";
+  for (const char* name : {"link", "link/a", "dangling", "file", "file/a"})
+    CHECK_THROWS_AS(make_subfolder(folder.file("out"), name), FileError);
+  CHECK(std::filesystem::is_empty(folder.file("elsewhere")));
+  std::filesystem::create_directory_symlink(folder.file("elsewhere"), folder.file("given"));
+  CHECK_NOTHROW(make_subfolder(folder.file("given"), "a"));  // the folder itself is the user's own choice
 }
 
 TEST_CASE("prepare_folder keeps what is not ours", "[adapt][run][errors]") {
