@@ -26,6 +26,19 @@ std::string refusal(const fs::path& path, const fs::path& folder) {
   return {};
 }
 
+/// The same of the links among the files that are read along with one of this name.
+std::string refusal_beside(const fs::path& path, const fs::path& folder) {
+  for (const char* suffix : {".node", ".ele", ".edge", ".sol", ".solb"}) {
+    fs::path beside = path;
+    beside.replace_extension(suffix);
+    std::error_code error;
+    if (!fs::is_symlink(fs::symlink_status(beside, error))) continue;
+    const std::string problem = refusal(beside, folder);
+    if (!problem.empty()) return beside.filename().string() + " beside it: " + problem;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<std::string> named_file(CaseReading& reading, const std::string& name, const std::string& pointer) {
@@ -37,7 +50,8 @@ std::optional<std::string> named_file(CaseReading& reading, const std::string& n
   }
   fs::path folder = fs::path(reading.document.file).parent_path();
   if (folder.empty()) folder = ".";
-  const std::string problem = refusal(folder / written, folder);
+  std::string problem = refusal(folder / written, folder);
+  if (problem.empty()) problem = refusal_beside(folder / written, folder);
   if (!problem.empty()) {
     reading.issues.add(pointer, "cannot read '" + name.substr(0, 200) + "': " + problem);
     return std::nullopt;
