@@ -1,3 +1,4 @@
+#include <locale>
 #include <numeric>
 #include <sstream>
 
@@ -34,6 +35,7 @@ std::int64_t total(const std::vector<Misfits>& misfits) {
 // "3 edges are ...: 2 where the metric jumps, the worst 12.3 at (0.5, 0.25); 1 ..."
 std::string sentence(const std::vector<Misfits>& misfits, std::string_view one, std::string_view many) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   const std::int64_t count = total(misfits);
   text << count << (count == 1 ? one : many);
   std::string_view separator = ": ";

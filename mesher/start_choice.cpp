@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <locale>
 #include <numbers>
 #include <numeric>
 #include <sstream>
@@ -38,6 +39,7 @@ double mean(const std::vector<double>& values) {
 
 std::string describe(double misfit, int refinements) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(3);
   text << "the previous mesh's edges";
   if (refinements > 0) text << ", cut into " << std::exp2(refinements) << ",";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <locale>
 #include <random>
 #include <sstream>
 #include <vector>
@@ -136,6 +137,7 @@ void ThesisSchedule::diagnose() {
   while (!events_.empty() && events_.front().pick < report_.picks - report_.picks / 10) events_.pop_front();
   report_.lately_created_or_annihilated = static_cast<std::int64_t>(events_.size());
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << report_.alive << " of " << mesh.num_vertices() << " particles are alive after " << options_.max_picks
        << " picks per particle: ";
   if (events_.empty()) {
