@@ -37,6 +37,7 @@ std::vector<BadCase> bad_cases() {
       {"not JSON", "{\"name\": \"bad\",\n  geometry}", 3, {"bad.json:2"}},
       {"unknown key", R"({"name": "bad", "geometri": {}, )" + square + "}", 3, {"/geometri", "geometry"}},
       {"key given twice", R"({"name": "bad", "name": "worse", )" + square + "}", 3, {"name"}},
+      {"safety limit in a case", R"({"limit": {"vertices": 1000000000}, )" + square + "}", 3, {"/limit"}},
       {"wrong type", R"({"name": 7, )" + square + R"(, "problem": {"interpolate": "x"}})", 3, {"/name", "text"}},
       {"unknown boundary label", poisson(fixed + R"(, "lefft": {"dirichlet": 1})"), 3, {"lefft", "left"}},
       {"boundary part without a condition", poisson(R"("left": {"dirichlet": 1})"), 3, {"right"}},
@@ -118,4 +119,67 @@ TEST_CASE("files that cannot be read or written end with 7", "[system][errors]")
     CHECK(parmesan::support::read_file(folder / "out/summary.json") == before);
     CHECK(run_program({"run", input, "--out", folder / "out", "--overwrite"}).exit_code == 0);
   }
+}
+
+TEST_CASE("a mesh that cannot be computed on ends with 4 and the reason, wherever it is read", "[system][errors]") {
+  struct Unsound {
+    std::string claim, vertices, triangles, message;
+  };
+  const std::string corners = "Vertices 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const std::string with_midpoint = "Vertices 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n";
+  const Unsound mesh = GENERATE_REF(values<Unsound>({
+      {"inverted", corners, "Triangles 2\n1 2 3 1\n1 4 3 1\n", "both have the side 0-2"},
+      {"twice the same", corners, "Triangles 3\n1 2 3 1\n1 3 4 1\n1 3 4 1\n", "side"},
+      {"orphan", with_midpoint, "Triangles 2\n1 2 3 1\n1 3 4 1\n", "belongs to no triangle"},
+      {"flat", corners, "Triangles 3\n1 2 3 1\n1 3 4 1\n1 1 2 1\n", ""},
+  }));
+  INFO(mesh.claim);
+  const TemporaryFolder folder;
+  folder.write("in.mesh", "MeshVersionFormatted 2\nDimension 2\n" + mesh.vertices + mesh.triangles + "End\n");
+  const ProgramResult quality = run_program({"quality", "in.mesh"}, folder.path());
+  CHECK(quality.exit_code == 4);
+  CHECK(quality.out.empty());
+  CHECK_THAT(quality.err, Catch::Contains(mesh.message));
+  folder.write("in.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 4\n1 1\n0\n1\n2\n3\nEnd\n");
+  folder.write("in.json", "{" + square + R"(, "problem": {"interpolate": {"mesh": "in.mesh", "file": "in.sol"}}})");
+  CHECK(run_program({"run", "in.json", "--out", "out"}, folder.path()).exit_code == 4);
+  CHECK_FALSE(looks_complete(folder / "out"));
+}
+
+TEST_CASE("a target below round-off ends at the floor, with 9 and a mesh", "[system][errors]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("floor.json", "{" + square + R"(, "problem": {"exact": "1 + x - 3*y",
+      "boundary": {"*": {"dirichlet": "exact"}}}, "targets": {"l2_error": 1e-30}, "initial": {"vertices": 100}})");
+  const ProgramResult result = run_program({"run", input, "--out", folder / "out"});
+  CHECK(result.exit_code == 9);
+  CHECK_THAT(result.out, Catch::Contains("floor after 1 iterations, targets not met"));
+  CHECK(looks_complete(folder / "out"));
+}
+
+TEST_CASE("where memory ends the program ends with 8, at whatever point that is", "[system][errors]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("a.json", poisson(fixed));
+  const std::vector<std::string> mesh{"mesh", input, "--size", "0.01", "-o", folder / "out.mesh"};
+  const std::vector<std::string> run{
+      "run",         input,   "--set",       "/targets/vertices=10000", "--set", "/targets/max_iterations=7",
+      "--overwrite", "--out", folder / "out"};
+  int num_refused = 0;
+  for (const std::vector<std::string>& command : {mesh, run}) {
+    for (const char* limit : {"3", "8", "11", "16", "40"}) {
+      std::vector<std::string> words = command;
+      words.insert(words.end(), {"--threads", "2", "--limit", std::string("memory_mb=") + limit});
+      const ProgramResult result = run_program(words, folder.path());
+      INFO(command.front() << " in " << limit << " MB: " << result.err);
+      CHECK((result.exit_code == 0 || result.exit_code == 8));
+      CHECK(std::filesystem::exists(folder / "out.mesh") == (command == mesh && result.exit_code == 0));
+      std::filesystem::remove(folder / "out.mesh");
+      if (result.exit_code == 0) continue;
+      ++num_refused;
+      CHECK_THAT(result.err, Catch::Contains("not enough memory"));
+      CHECK_FALSE(looks_complete(folder / "out"));
+    }
+  }
+#ifndef PARMESAN_SANITIZE  // whose memory has no limit
+  CHECK(num_refused >= 2);
+#endif
 }

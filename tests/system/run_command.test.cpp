@@ -86,7 +86,7 @@ TEST_CASE("a missed error target ends with 9, and so does a missed pass limit wi
 TEST_CASE("the first Ctrl-C ends a run in order, with 128 + the signal", "[system][run]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("layer.json", layer);
-  const int signal = GENERATE(SIGINT, SIGTERM);
+  const int signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
   const ProgramResult result =
       run_program({"run", input, "--out", folder / "out", "--set", "/targets/l2_error=1e-12", "--set",
                    "/targets/max_iterations=1000", "--set", "/targets/vertices=2000000"},
@@ -145,4 +145,39 @@ TEST_CASE("resume begins anew where nothing was begun, and keeps a run that has 
   CHECK(run_program(words).exit_code == 7);
   CHECK(summary_of(folder / "out").at("stop_reason") == "vertices");
   CHECK(run_program({"run", input, "--resume", "--overwrite"}).exit_code == 2);
+}
+
+TEST_CASE("resume keeps a run of which no checkpoint can be used, and says why", "[system][run][resume][errors]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("layer.json", layer);
+  const std::vector<std::string> words{"run", input, "-q", "--resume", "--out", folder / "out"};
+  REQUIRE(run_program(words).exit_code == 0);
+  std::filesystem::remove(folder / "out/summary.json");  // as if it had been killed
+  folder.write("out/checkpoint/even.state", "damaged");
+  folder.write("out/checkpoint/odd.state", "");
+  const ProgramResult refused = run_program(words);
+  CHECK(refused.exit_code == 7);
+  CHECK_THAT(refused.err, Catch::Contains("no checkpoint can be used") && Catch::Contains("--overwrite") &&
+                              Catch::Contains("odd.state ends too early"));
+  CHECK(read_file(folder / "out/checkpoint/even.state") == "damaged");
+  CHECK_FALSE(read_file(folder / "out/iterations/000/mesh.mesh").empty());
+  CHECK(run_program({"run", input, "-q", "--overwrite", "--out", folder / "out"}).exit_code == 0);
+}
+
+TEST_CASE("resume says when it goes on from the older checkpoint, and ends the same", "[system][run][resume]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("layer.json", layer);
+  const std::vector<std::string> words{"run", input, "--resume", "--out", folder / "out"};
+  REQUIRE(run_program(words).exit_code == 0);
+  const std::string mesh = read_file(folder / "out/mesh.mesh");
+  const std::string newest =
+      summary_of(folder / "out").at("iterations").size() % 2 == 1 ? "even.state" : "odd.state";  // rows count from 0
+  std::string bytes = read_file(folder / ("out/checkpoint/" + newest));
+  bytes[bytes.size() / 2] ^= 1;
+  folder.write("out/checkpoint/" + newest, bytes);
+  const ProgramResult resumed = run_program(words);
+  CHECK(resumed.exit_code == 0);
+  CHECK_THAT(resumed.err,
+             Catch::Contains(newest + " is damaged: its checksum is wrong") && Catch::Contains("going on"));
+  CHECK(read_file(folder / "out/mesh.mesh") == mesh);
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <string_view>
 
@@ -38,6 +39,16 @@ void set_limit(Limits& limits, const std::string& text) {
   } else {
     throw CLI::ValidationError("--limit", "'" + pair.name + "' is none of vertices, memory_mb, seconds");
   }
+}
+
+// With their stacks, threads that are started later would not fit into a small limit, which OpenMP reports by ending
+// the program.
+void start_threads() {
+#ifdef _OPENMP
+  std::atomic<int> num_started = 0;
+#pragma omp parallel
+  ++num_started;
+#endif
 }
 
 // Beyond the limit operator new throws std::bad_alloc, which ends the program in an orderly way.
@@ -116,11 +127,12 @@ void add_seed_option(CLI::App& command, CommonOptions& options) {
 }
 
 void apply(const CommonOptions& options) {
-  limit_memory(options.limits.memory_mb);
-  limit_time(options.limits.seconds);
 #ifdef _OPENMP
   if (options.threads > 0) omp_set_num_threads(options.threads);
 #endif
+  if (options.limits.memory_mb > 0) start_threads();
+  limit_memory(options.limits.memory_mb);
+  limit_time(options.limits.seconds);
 }
 
 }  // namespace parmesan

@@ -1,8 +1,16 @@
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <limits>
+#include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -18,7 +26,7 @@ namespace {
 constexpr const char* footer =
     "Results go to standard output, the log and errors to standard error.\n"
     "Exit codes: 0 done, 1 bug, 2 usage, 3 case invalid, 4 geometry invalid, 5 no valid mesh, 6 solve failed,\n"
-    "7 file problem, 8 safety limit, 9 target missed, 130 interrupted.\n"
+    "7 file problem, 8 safety limit, 9 target missed, 130 (143, 129) interrupted.\n"
     "Help on one subcommand: parmesan SUBCOMMAND --help";
 
 // The arrays of a mesh come and go many times. Memory that is kept need not be mapped page by page again: 5 % of the
@@ -28,6 +36,28 @@ void keep_freed_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
+}
+
+// A file that is opened while one of 0, 1, 2 is closed gets its number, and what is printed goes into that file. Of
+// /dev/null opened for reading one can write nothing, so that flush_results sees that the output is lost.
+void open_standard_streams() {
+  int descriptor = 0;
+  do descriptor = open("/dev/null", O_RDONLY);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor >= 0) close(descriptor);
+}
+
+// Where a destructor needs memory and there is none, as for a JSON value, no handler is reached.
+[[noreturn]] void end_without_unwinding() {
+  constexpr std::string_view message = "parmesan: error: not enough memory; see --limit memory_mb\n";
+  try {
+    if (const std::exception_ptr current = std::current_exception()) std::rethrow_exception(current);
+  } catch (const std::bad_alloc&) {
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+    _exit(static_cast<int>(parmesan::ExitCode::LimitHit));
+  } catch (...) {
+  }
+  std::abort();
 }
 
 // What CLI11 says when no subcommand is recognised does not name the word that is wrong.
@@ -77,6 +107,9 @@ parmesan::ExitCode run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a file problem like a full disk
+  std::set_terminate(end_without_unwinding);
+  open_standard_streams();
   keep_freed_memory();
   try {
     return static_cast<int>(run_program(argc, argv));
