@@ -50,15 +50,18 @@ TEST_CASE("results that cannot be printed end with 7", "[system][process][errors
   if (where.front() == '>') CHECK_THAT(result.err, Catch::Contains("standard output: cannot be written"));
 }
 
-TEST_CASE("closed outputs do not become part of the files", "[system][process]") {
+TEST_CASE("what is printed to a closed output does not land in a file", "[system][process]") {
   const TemporaryFolder folder;
   folder.write("layer.json", layer);
-  REQUIRE(run_script(folder, "\"$1\" run layer.json -q --out whole").exit_code == 0);
-  CHECK(run_script(folder, "\"$1\" run layer.json --out closed <&- >&- 2>&-").exit_code == 7);
-  for (const char* name : {"mesh.mesh", "mesh.vtu", "mesh.svg", "mesh.png", "case.json", "run.pvd"}) {
-    INFO(name);
-    CHECK(read_file(folder / (std::string("whole/") + name)) == read_file(folder / (std::string("closed/") + name)));
-  }
+  // The first file that is opened would get the number of the closed output: the lock, which has the process in it.
+  const ProgramResult result =
+      run_script(folder,
+                 "\"$1\" run layer.json --out out --set /targets/vertices=1000000 --set /targets/max_iterations=1000 "
+                 "> /dev/null 2>&- & while [ ! -e out/checkpoint/odd.state ]; do sleep 0.05; done; "
+                 "kill -KILL $!; wait; cat out/.lock; echo $!");
+  const std::size_t half = result.out.size() / 2;
+  CHECK(half > 1);
+  CHECK(result.out.substr(0, half) == result.out.substr(half));
 }
 
 TEST_CASE("a reader that goes away ends the program without a word", "[system][process]") {
