@@ -35,7 +35,11 @@ std::vector<int> segment_numbers(const Domain& domain) {
   return numbers;
 }
 
+// Directed edges are numbered 4q + r in 32 bits, and a mesh has three times as many edges as vertices.
+constexpr std::int64_t most_vertices = (std::int64_t{1} << 29) / 3;
+
 void check_size(double expected, std::int64_t max_vertices) {
+  max_vertices = std::min(max_vertices, most_vertices);
   if (expected <= static_cast<double>(max_vertices)) return;
   const bool is_countable = expected < 1e18;
   throw LimitError("the metric asks for " +

@@ -155,6 +155,10 @@ TEST_CASE("more vertices than allowed are refused before they are made", "[meshe
   CHECK_THROWS_AS(generate(support::unit_square(), ConstantField(Metric::isotropic(1e-6))), LimitError);
   CHECK_THROWS_AS(generate(support::unit_square(), ConstantField(Metric::isotropic(0.01)), {.max_vertices = 1000}),
                   LimitError);
+  // 2e8 vertices have more directed edges than 32 bits can number, whatever is allowed.
+  CHECK_THROWS_WITH(
+      generate(support::unit_square(), ConstantField(Metric::isotropic(7.6e-5)), {.max_vertices = 1'000'000'000'000}),
+      Catch::Contains("the limit is 178956970"));
 }
 
 TEST_CASE("crossing segments are refused with their numbers", "[mesher][generate][errors]") {
