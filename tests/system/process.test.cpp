@@ -18,7 +18,7 @@ namespace {
 const std::string layer = R"json({
   "name": "layer", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
   "problem": {"exact": "atan(10*(hypot(x + 0.05, y + 0.05) - 0.7))", "boundary": {"*": {"dirichlet": "exact"}}},
-  "targets": {"vertices": 400, "max_iterations": 4}, "mesher": {"preset": "fast"},
+  "targets": {"vertices": 200, "max_iterations": 2}, "mesher": {"preset": "fast"},
   "output": {"formats": ["vtu", "mesh", "svg", "png"]}
 })json";
 
@@ -75,11 +75,11 @@ TEST_CASE("a reader that goes away ends the program without a word", "[system][p
 TEST_CASE("a full disk ends a run with 7, without a result and without rubbish", "[system][process][errors]") {
   const TemporaryFolder folder;
   folder.write("layer.json", layer);
-  // Of a file system of 200 kB, its own for these processes.
+  // Of a file system of 60 kB, its own for these processes.
   const ProgramResult result = run_script(folder,
                                           "mkdir disk; program=$1; unshare -m true 2>/dev/null || exit 77; "
                                           "unshare -m sh -c '"
-                                          "mount -t tmpfs -o size=200k none disk 2>/dev/null || exit 77; "
+                                          "mount -t tmpfs -o size=60k none disk 2>/dev/null || exit 77; "
                                           "\"$1\" run layer.json -q --out disk/out; code=$?; "
                                           "find disk -name \"*.tmp*\"; ls disk/out; exit $code' sh \"$1\"");
   if (skipped(result, "no file system of their own for tests here")) return;
@@ -122,8 +122,10 @@ TEST_CASE("a folder that may not be written ends with 7", "[system][process][err
 TEST_CASE("a signal that is ignored, as by nohup, does not stop a run", "[system][process]") {
   const TemporaryFolder folder;
   folder.write("layer.json", layer);
-  const ProgramResult result = run_script(
-      folder, "trap '' HUP INT; \"$1\" run layer.json -q --out out & sleep 0.1; kill -HUP $!; kill -INT $!; wait $!");
+  const ProgramResult result =
+      run_script(folder,
+                 "trap '' HUP INT; \"$1\" run layer.json -q --out out --set /targets/vertices=2000 --set "
+                 "/targets/max_iterations=6 & sleep 0.1; kill -HUP $!; kill -INT $!; wait $!");
   CHECK(result.exit_code == 0);
   CHECK(std::filesystem::exists(folder / "out/summary.json"));
 }
@@ -147,8 +149,9 @@ TEST_CASE("a run needs neither home, nor terminal, nor a generous umask", "[syst
   const TemporaryFolder folder;
   folder.write("layer.json", layer);
   REQUIRE(run_script(folder, "\"$1\" run layer.json -q --out usual").exit_code == 0);
-  const ProgramResult bare =
-      run_script(folder, "umask 077; exec env -i setsid \"$1\" run layer.json --out bare < /dev/null");
+  const ProgramResult bare = run_script(
+      folder,
+      "umask 077; exec env -i LSAN_OPTIONS=\"$LSAN_OPTIONS\" setsid \"$1\" run layer.json --out bare < /dev/null");
   INFO(bare.err);
   CHECK(bare.exit_code == 0);
   for (const char* name : {"mesh.mesh", "mesh.vtu", "mesh.svg", "mesh.png", "case.json"}) {
