@@ -12,8 +12,11 @@ rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
 
 const hostile = '</script><script>window.hacked=1</script><img src=x onerror="window.hacked=1"> & "quoted"';
+const strange = '<img src=x onerror=window.hacked=1>';
 const front = {
-  name: 'front', title: hostile, 'x-note': '<!--<script>', geometry: { rectangle: { min: [0, 0], max: [1, 1] } },
+  name: 'front', title: hostile, 'x-note': '<!--<script>', [`x-${strange}`]: strange,
+  geometry: { polygon: [[0, 0], [1, 0], [1, 1], [0, 1]], labels: [hostile, strange, '--><svg onload=window.hacked=1>', 'top'] },
+  functionals: { [strange]: { integral: '*' }, [hostile]: { value: [0.5, 0.5] } },
   parameters: { a: 20 },
   problem: { exact: 'atan(a*(hypot(x + 0.05, y + 0.05) - 0.7))', boundary: { '*': { dirichlet: 'exact' } } },
   targets: { l2_error: 2e-3 },
@@ -24,7 +27,6 @@ function parmesan(...words) {
 }
 
 writeFileSync(join(folder, 'front.json'), JSON.stringify(front));
-const strange = '<img src=x onerror=window.hacked=1>';
 parmesan('run', 'front.json', '--out', 'front', '-q');
 parmesan('run', 'front.json', '--out', strange, '-q', '--set', '/targets/l2_error=1e-2');
 parmesan('compare', 'front.json', '--out', 'compared', '--sizes', '300,900', '-q');
