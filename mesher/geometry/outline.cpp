@@ -4,7 +4,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_contacts.h"
@@ -49,6 +51,7 @@ class ChordSearch {
   Polygon polygon(int parts) const;
   bool is_between(const Chord& chord, const Point& a, const Point& b, const Point& p) const;
   void find_crossings(const Polygon& polygon);
+  void find_equal(const Polygon& polygon);
   void find_enclosed(const Polygon& polygon);
   void must_halve(int chord, int other, const Point& place);
   void halve();
@@ -135,6 +138,19 @@ void ChordSearch::find_crossings(const Polygon& polygon) {
   }
 }
 
+// Chords between the same two points.
+void ChordSearch::find_equal(const Polygon& polygon) {
+  std::map<std::pair<int, int>, int> chord_between;
+  for (std::size_t s = 0; s < polygon.domain.segments.size(); ++s) {
+    const Segment& segment = polygon.domain.segments[s];
+    const auto [found, is_new] = chord_between.try_emplace(std::minmax({segment.a, segment.b}), polygon.chords[s]);
+    if (is_new) continue;
+    const Point place = midpoint(polygon.domain.points[at(segment.a)], polygon.domain.points[at(segment.b)]);
+    must_halve(polygon.chords[s], found->second, place);
+    must_halve(found->second, polygon.chords[s], place);
+  }
+}
+
 // Points and seeds between a chord and its arc; and points in one place.
 void ChordSearch::find_enclosed(const Polygon& polygon) {
   constexpr int none = -1;
@@ -203,6 +219,7 @@ OutlineResult ChordSearch::run() {
     to_halve_.assign(chords_.size(), 0);
     any_ = false;
     const Polygon coarse = polygon(1);
+    find_equal(coarse);
     find_crossings(coarse);
     find_enclosed(coarse);
     if (!any_) find_crossings(polygon(arcs_per_chord));

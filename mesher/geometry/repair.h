@@ -8,19 +8,25 @@
 
 namespace parmesan {
 
+/// The number that the user gave to a segment.
+struct SegmentSource {
+  int number = 0;
+  std::vector<int> repeated = {};  // the numbers of those that were dropped because they lie on it
+};
+
 /// A domain under repair. The sources are the numbers that the user gave its points and segments,
 /// which messages use. The stages below take it and return it repaired; clean() calls them in the
 /// order in which they stand here.
 struct DomainRepair {
   Domain domain;
   std::vector<int> point_sources;
-  std::vector<int> segment_sources;
+  std::vector<SegmentSource> segment_sources;
   std::vector<std::string> repairs;
 
   const Point& point(int i) const { return domain.points[static_cast<std::size_t>(i)]; }
   const Segment& segment(int s) const { return domain.segments[static_cast<std::size_t>(s)]; }
   int source_point(int i) const { return point_sources[static_cast<std::size_t>(i)]; }
-  int source_segment(int s) const { return segment_sources[static_cast<std::size_t>(s)]; }
+  int source_segment(int s) const { return segment_sources[static_cast<std::size_t>(s)].number; }
 
   /// Adds "merged 7 duplicate points: a, b, c, d, e, and 2 more", or nothing without items.
   void note(std::string_view verb, std::string_view noun, const std::vector<std::string>& items);
@@ -64,8 +70,12 @@ void require_seeds_off_points(const DomainRepair& repair);
 /// Errors: GeometryError for a seed on a segment.
 DomainRepair split_at_inner_vertices(DomainRepair repair);
 
-/// Splits straight segments that cross where they do, until none is left: rounded crossing points turn the pieces a
-/// little, which may make them cross others. No rounding is known that ends for sure, so rounds are counted.
+/// Curves that run together from one end to the other become one, as segments that join the same points do.
+DomainRepair merge_equal_curves(DomainRepair repair);
+
+/// Splits segments that cross where they do, until none is left: rounded crossing points turn the pieces a
+/// little, which may make them cross others. No rounding is known that ends for sure, so rounds are counted. Curves
+/// are split where they cross other segments, but neither themselves nor what they touch between points.
 DomainRepair split_at_crossings(DomainRepair repair);
 
 /// Errors: GeometryError for segments that cross, with both and the point, and curved ones that touch.

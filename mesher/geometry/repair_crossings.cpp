@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "mesher/geometry/curve_crossings.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
 
@@ -33,17 +34,17 @@ class PointIndex {
   std::map<std::pair<double, double>, int> index_;
 };
 
-/// For each segment the points where others cross it, in their order from a to b; notes the crossings.
-std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::vector<std::array<int, 2>>& crossings,
+/// For each straight segment the points where others cross it, in their order from a to b; notes the crossings.
+/// Curves find the points on them themselves.
+std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::vector<Crossing>& crossings,
                                               std::vector<std::string>& notes) {
   PointIndex index(repair);
   std::vector<std::vector<int>> along(repair.domain.segments.size());
-  for (const auto& [s, t] : crossings) {
-    const Point p = crossing_of(repair, s, t);
+  for (const auto& [s, t, p] : crossings) {
     notes.push_back(text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) + " at " + text(p));
     const int v = index.at(p);
-    along[static_cast<std::size_t>(s)].push_back(v);
-    along[static_cast<std::size_t>(t)].push_back(v);
+    for (const int crossed : {s, t})
+      if (repair.segment(crossed).is_straight()) along[static_cast<std::size_t>(crossed)].push_back(v);
   }
   for (std::size_t s = 0; s < along.size(); ++s) {
     const Point& from = repair.point(repair.domain.segments[s].a);
@@ -56,7 +57,7 @@ std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::v
 
 DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>>& along) {
   const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
   for (std::size_t s = 0; s < segments.size(); ++s) {
     int from = segments[s].a;
     const auto add_up_to = [&](int v) {
@@ -72,6 +73,17 @@ DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>
   return repair;
 }
 
+std::vector<Crossing> straight_crossings(const DomainRepair& repair) {
+  const StraightSegments straight(repair.domain.segments);
+  std::vector<Crossing> crossings;
+  for (const auto& [i, j] : segment_crossings(repair.domain.points, straight.segments)) {
+    const int s = straight.index(i);
+    const int t = straight.index(j);
+    crossings.push_back({s, t, crossing_of(repair, s, t)});
+  }
+  return crossings;
+}
+
 }  // namespace
 
 Point crossing_of(const DomainRepair& repair, int s, int t) {
@@ -84,15 +96,19 @@ DomainRepair split_at_crossings(DomainRepair repair) {
   constexpr int max_rounds = 1000;  // a search ends after 1000 crossings
   std::vector<std::string> notes;
   for (int round = 0; round < max_rounds; ++round) {
-    const StraightSegments straight(repair.domain.segments);
-    auto crossings = segment_crossings(repair.domain.points, straight.segments);
-    if (crossings.empty()) break;
-    for (auto& [s, t] : crossings) {
-      s = straight.index(s);
-      t = straight.index(t);
+    std::vector<Crossing> crossings = straight_crossings(repair);
+    const bool are_straight = !crossings.empty();
+    if (!are_straight) {
+      repair = drop_repeated_segments(merge_equal_curves(std::move(repair)));
+      crossings = curve_crossings(repair.domain);
     }
+    if (crossings.empty()) break;
+    const std::size_t num_segments = repair.domain.segments.size();
     const auto along = crossings_along(repair, crossings, notes);
-    repair = split_at_inner_vertices(drop_repeated_segments(split_along(std::move(repair), along)));
+    repair = split_along(std::move(repair), along);
+    if (!are_straight) repair = split_curves(std::move(repair));
+    repair = split_at_inner_vertices(drop_repeated_segments(std::move(repair)));
+    if (!are_straight && repair.domain.segments.size() == num_segments) break;
   }
   repair.note("split segments at", "crossing", notes);
   return repair;

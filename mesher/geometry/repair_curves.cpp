@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/repair.h"
@@ -85,11 +88,37 @@ std::vector<Cut> cuts_of(DomainRepair& repair, const Segment& s) {
   return cuts;
 }
 
+/// Whether two curves between the same points run together.
+bool are_equal(const Curve& c, const Curve& d) {
+  const double near = tolerance * c.extent();
+  if (std::abs(c.extent() - d.extent()) > near) return false;
+  for (const double t : {0.2, 0.5, 0.8})
+    if (norm(d.at(d.nearest(c.at(t))) - c.at(t)) > near) return false;
+  return true;
+}
+
 }  // namespace
+
+DomainRepair merge_equal_curves(DomainRepair repair) {
+  std::map<std::pair<int, int>, std::vector<int>> curves;  // between the same points, different ones
+  for (Segment& s : repair.domain.segments) {
+    if (s.is_straight()) continue;
+    std::vector<int>& others = curves[std::minmax({s.a, s.b})];
+    const auto equal = std::find_if(others.begin(), others.end(), [&](int other) {
+      return are_equal(curve_of(repair, s), repair.domain.curves[static_cast<std::size_t>(other)]);
+    });
+    if (equal == others.end()) {
+      others.push_back(s.curve);
+    } else {
+      s.curve = *equal;
+    }
+  }
+  return repair;
+}
 
 DomainRepair split_curves(DomainRepair repair) {
   const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
     repair.domain.segments.push_back(s);

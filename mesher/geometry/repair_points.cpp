@@ -142,8 +142,7 @@ DomainRepair merge_duplicate_points(const Domain& domain) {
     s.b = renumbered[static_cast<std::size_t>(s.b)];
   }
   for (int& v : repair.domain.required_points) v = renumbered[static_cast<std::size_t>(v)];
-  repair.segment_sources.resize(domain.segments.size());
-  std::iota(repair.segment_sources.begin(), repair.segment_sources.end(), 0);
+  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) repair.segment_sources.push_back({s});
   repair.note("merged", "duplicate point", merged);
   return repair;
 }

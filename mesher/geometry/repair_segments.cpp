@@ -102,20 +102,25 @@ FreeEnds free_ends(const Domain& domain) {
 
 DomainRepair drop_repeated_segments(DomainRepair repair) {
   const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
   const std::vector<int> first = first_between_same_points(segments);
+  std::vector<std::size_t> place(segments.size());  // of those that stay among them
   std::vector<std::string> points;
   std::vector<std::string> repeated;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const std::size_t kept = static_cast<std::size_t>(first[s]);
     if (segments[s].a == segments[s].b) {
-      points.push_back(text(sources[s]));
+      points.push_back(text(sources[s].number));
     } else if (kept != s) {
       const bool same = segments[s].label == segments[kept].label;
       repeated.push_back(
-          text(sources[s]) + " lies on " + text(sources[kept]) +
+          text(sources[s].number) + " lies on " + text(sources[kept].number) +
           (same ? "" : ", whose label " + text(segments[kept].label) + " beats " + text(segments[s].label)));
+      std::vector<int>& others = repair.segment_sources[place[kept]].repeated;
+      others.push_back(sources[s].number);
+      others.insert(others.end(), sources[s].repeated.begin(), sources[s].repeated.end());
     } else {
+      place[s] = repair.domain.segments.size();
       repair.domain.segments.push_back(segments[s]);
       repair.segment_sources.push_back(sources[s]);
     }
@@ -132,16 +137,16 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
   for (auto& contact : contacts) contact[0] = straight.index(contact[0]);
   if (contacts.empty()) return repair;
   const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<int> sources = std::exchange(repair.segment_sources, {});
+  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
   std::vector<std::string> split;
   auto contact = contacts.begin();
   for (std::size_t s = 0; s < segments.size(); ++s) {
     std::vector<int> inner;
     for (; contact != contacts.end() && (*contact)[0] == static_cast<int>(s); ++contact) {
       const int v = (*contact)[1];
-      if (v >= num_points) refuse_seed(repair.domain, v - num_points, sources[s]);
+      if (v >= num_points) refuse_seed(repair.domain, v - num_points, sources[s].number);
       inner.push_back(v);
-      split.push_back(text(sources[s]) + " at point " + text(repair.source_point(v)));
+      split.push_back(text(sources[s].number) + " at point " + text(repair.source_point(v)));
     }
     if (inner.empty()) {
       repair.domain.segments.push_back(segments[s]);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <random>
 #include <string>
@@ -11,6 +12,8 @@
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/box.h"
 #include "tests/support/corpus.h"
+#include "tests/support/curved_domains.h"
+#include "tests/support/domains.h"
 #include "tests/support/shared.h"
 
 using namespace parmesan;
@@ -57,6 +60,31 @@ TEST_CASE("A bow tie becomes two triangles that keep their labels", "[mesher][do
   const Mesh mesh = delaunay_mesh(result.domain).mesh;
   CHECK(mesh.num_triangles() == 2);
   CHECK(oracle::area_of(mesh) == Approx(2.0).epsilon(1e-15));
+}
+
+TEST_CASE("Curves are split where they cross, on both to rounding", "[mesher][domain]") {
+  Domain domain = support::disc(1.0);
+  support::add_closed_curve(domain, support::circle({1.0, 0.0}, 1.0), 2);
+  support::add_polygon(domain, {{-3.0, 0.6}, {3.0, 0.6}, {3.0, 3.0}, {-3.0, 3.0}}, 11);
+  domain.inside = Inside::EvenOdd;
+  CHECK_THROWS_AS(clean(domain), GeometryError);
+  const Domain planar = clean(domain, Crossings::Split).domain;
+  for (const Point& p : {Point{0.5, std::sqrt(0.75)}, Point{0.5, -std::sqrt(0.75)}, Point{0.8, 0.6}, Point{-0.8, 0.6},
+                         Point{1.8, 0.6}, Point{0.2, 0.6}})
+    CHECK(
+        std::any_of(planar.points.begin(), planar.points.end(), [&p](const Point& q) { return norm(q - p) < 1e-15; }));
+  CHECK(std::count_if(planar.segments.begin(), planar.segments.end(), [](const Segment& s) {
+          return !s.is_straight();
+        }) == 2 * 6);  // begun, halved, and crossed four times each
+  CHECK_NOTHROW(clean(planar));
+}
+
+TEST_CASE("Two curves from the same to the same point are one", "[mesher][domain]") {
+  Domain domain = support::disc(1.0);
+  support::add_closed_curve(domain, support::circle({0.0, 0.0}, 1.0), 2);
+  const CleanDomain result = clean(domain, Crossings::Split);
+  CHECK(result.domain.segments.size() == 2);
+  CHECK(result.domain.segments[0].label == 1);
 }
 
 TEST_CASE("A domain without crossings stays as it is", "[mesher][domain]") {

@@ -136,6 +136,17 @@ TEST_CASE("An arc and a straight segment, or two arcs, may join the same points"
   CHECK(swept_area(outline.domain, 1) + swept_area(outline.domain, 2) == Approx(pi - 2.0).epsilon(0.1));
 }
 
+TEST_CASE("An arc is told from the straight segment between its ends, however flat it is", "[mesher][geometry]") {
+  const double half = GENERATE(0.2, 1e-2, 1e-4);  // of the arc's angle
+  Domain cap;
+  cap.points = {{std::cos(half), -std::sin(half)}, {std::cos(half), std::sin(half)}};
+  cap.curves = {circular_arc({0.0, 0.0}, 1.0, -half, half)};
+  cap.segments = {{0, 1, 1, {}, false, 0}, {1, 0, 2}};
+  const Outline outline = clean_outline(cap);
+  CHECK(outline.domain.points.size() >= 3);
+  CHECK(swept_area(outline.domain, 1) + swept_area(outline.domain, 2) > 0.5 * (half - std::sin(half) * std::cos(half)));
+}
+
 TEST_CASE("Curves that cross or touch are refused with both segments and the place", "[mesher][geometry][errors]") {
   SECTION("two circles") {
     Domain domain = support::disc(1.0);
