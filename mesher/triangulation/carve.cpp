@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/errors.h"
+#include "mesher/triangulation/flood.h"
 #include "mesher/triangulation/locate.h"
 
 namespace parmesan {
@@ -15,32 +16,6 @@ namespace {
 // regions are painted all inside faces carry inside_face.
 constexpr std::int32_t unknown = -1;
 constexpr std::int32_t inside_face = outside_face + 1;
-
-/// Calls f(e) for every directed edge that has a triangle inside the hull on its left.
-template <class F>
-void for_each_side(const Triangulation& t, F f) {
-  for (std::int32_t index = 0; index < 4 * t.size(); index += 2) {
-    const EdgeId e{index};
-    if (t.is_alive(undirected(e)) && t.is_inside_left(e)) f(e);
-  }
-}
-
-/// Repaints faces left of the edges given, and those reached without crossing a constraint, that
-/// carry `from`. Returns the edges of constraints met, their unpainted faces on the left.
-std::vector<EdgeId> flood(Triangulation& t, std::vector<EdgeId> stack, std::int32_t from, std::int32_t to) {
-  std::vector<EdgeId> beyond;
-  while (!stack.empty()) {
-    const EdgeId e = stack.back();
-    stack.pop_back();
-    if (t.left(e) != from) continue;
-    for (const EdgeId side : {e, t.lnext(e), t.lprev(e)}) {
-      t.set_left(side, to);
-      if (t.right(side) != from) continue;
-      (t.is_constrained(side) ? beyond : stack).push_back(sym(side));
-    }
-  }
-  return beyond;
-}
 
 /// Numbers faces by the constraints between them and infinity: 0 is outside.
 void number_layers(Triangulation& t) {

@@ -1,0 +1,237 @@
+#include "mesher/set_operation.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/outline.h"
+#include "mesher/geometry/repair.h"
+#include "mesher/operands.h"
+#include "mesher/triangulation/faces.h"
+
+namespace parmesan {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+DomainRepair subdivide(Domain domain) {
+  domain.regions.clear();
+  DomainRepair repair = split_curves(merge_duplicate_points(domain));
+  repair = split_at_inner_vertices(drop_repeated_segments(std::move(repair)));
+  return split_at_crossings(std::move(repair));
+}
+
+struct Result {
+  Domain domain;
+  std::vector<char> is_border;  // of each segment; the others lie inside
+};
+
+/// The planar subdivision of the operands, and what of it is in the result.
+class Arrangement {
+ public:
+  Arrangement(SetOperation operation, const Operands& operands, DomainRepair subdivision)
+      : operands_(operands), subdivision_(std::move(subdivision)), faces_(subdivision_.domain) {
+    find_faces(operation);
+    for (int s = 0; s < num_segments(); ++s) sources_kept_.push_back(source_kept(s));
+    find_groups();
+  }
+
+  Result result() const;
+
+ private:
+  int num_segments() const { return static_cast<int>(subdivision_.domain.segments.size()); }
+
+  /// The segments of the operands that run along one of the subdivision.
+  std::vector<int> sources(int segment) const {
+    const SegmentSource& source = subdivision_.segment_sources[at(segment)];
+    std::vector<int> all{source.number};
+    all.insert(all.end(), source.repeated.begin(), source.repeated.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  void find_faces(SetOperation operation);
+  std::optional<int> source_kept(int segment) const;
+  void find_groups();
+  Segment labelled(int segment, int source) const;
+  void add_holes(Domain& domain) const;
+
+  const Operands& operands_;
+  DomainRepair subdivision_;
+  Faces faces_;
+  std::vector<char> is_in_result_;                // of each face
+  std::vector<std::optional<int>> sources_kept_;  // of each segment in the result: that whose label it has
+  std::vector<int> groups_;  // of each face: the lowest of those that no segment of the result parts from it
+};
+
+void Arrangement::find_faces(SetOperation operation) {
+  std::vector<int> num_around(at(faces_.count()), 0);  // operands that a face is inside of
+  std::vector<char> is_in_first;
+  for (int operand = 0; operand < operands_.count; ++operand) {
+    const std::vector<char> inside = odd_faces(num_segments(), faces_, [&](int s) {
+      const std::vector<int> all = sources(s);
+      const auto is_border = [&](int source) {
+        return operands_.owners[at(source)] == operand && operands_.is_border[at(source)] != 0;
+      };
+      return std::count_if(all.begin(), all.end(), is_border) % 2 == 1;
+    });
+    for (std::size_t face = 0; face < inside.size(); ++face) num_around[face] += inside[face];
+    if (operand == 0) is_in_first = inside;
+  }
+  for (std::size_t face = 0; face < num_around.size(); ++face) {
+    const int n = num_around[face];
+    const bool is_only_first = n == 1 && is_in_first[face] != 0;
+    is_in_result_.push_back(static_cast<char>(operation == SetOperation::Union          ? n > 0
+                                              : operation == SetOperation::Intersection ? n == operands_.count
+                                                                                        : is_only_first));
+  }
+}
+
+// Of the boundary those between inside and outside, of segments inside those with the result on both sides.
+std::optional<int> Arrangement::source_kept(int segment) const {
+  const auto& [left, right] = faces_.beside(segment);
+  const bool parts = is_in_result_[at(left)] != is_in_result_[at(right)];
+  if (!parts && is_in_result_[at(left)] == 0) return std::nullopt;
+  const std::vector<int> all = sources(segment);
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](int source) { return (operands_.is_border[at(source)] != 0) == parts; });
+  if (found == all.end()) return std::nullopt;
+  return *found;
+}
+
+void Arrangement::find_groups() {
+  groups_.resize(at(faces_.count()));
+  std::iota(groups_.begin(), groups_.end(), 0);
+  const auto group = [this](int face) {
+    while (groups_[at(face)] != face) face = groups_[at(face)] = groups_[at(groups_[at(face)])];
+    return face;
+  };
+  for (int s = 0; s < num_segments(); ++s) {
+    if (sources_kept_[at(s)]) continue;
+    const auto [low, high] = std::minmax({group(faces_.beside(s)[0]), group(faces_.beside(s)[1])});
+    groups_[at(high)] = low;
+  }
+  for (int face = 0; face < faces_.count(); ++face) groups_[at(face)] = group(face);
+}
+
+// A piece of a straight segment may run against the one whose labels it gets.
+Segment Arrangement::labelled(int segment, int source) const {
+  Segment piece = subdivision_.segment(segment);
+  const Segment& whole = operands_.all.segments[at(source)];
+  piece.label = whole.label;
+  piece.label_right = whole.label_right;
+  piece.required = whole.required;
+  const auto direction = [](const std::vector<Point>& points, const Segment& s) {
+    return points[at(s.b)] - points[at(s.a)];
+  };
+  const bool turned = dot(direction(subdivision_.domain.points, piece), direction(operands_.all.points, whole)) < 0.0 &&
+                      piece.is_straight();
+  if (turned && piece.label_right) std::swap(piece.label, *piece.label_right);
+  return piece;
+}
+
+// One seed in each group of faces that the result encloses.
+void Arrangement::add_holes(Domain& domain) const {
+  const std::vector<FacePoint> points = faces_.points_inside();
+  std::vector<FacePoint> best(points.size());
+  for (int face = 0; face < faces_.count(); ++face) {
+    FacePoint& candidate = best[at(groups_[at(face)])];
+    if (points[at(face)].doubled_area > candidate.doubled_area) candidate = points[at(face)];
+  }
+  for (int face = 1; face < faces_.count(); ++face)
+    if (groups_[at(face)] == face && is_in_result_[at(face)] == 0) domain.holes.push_back(best[at(face)].place);
+}
+
+/// Leaves out the points that nothing needs, and the curves.
+Domain compacted(const Domain& domain, std::vector<char> is_needed) {
+  Domain result = domain;
+  result.points.clear();
+  result.curves.clear();
+  result.required_points.clear();
+  for (const Segment& s : domain.segments) is_needed[at(s.a)] = is_needed[at(s.b)] = 1;
+  std::vector<int> number(domain.points.size());
+  for (std::size_t v = 0; v < domain.points.size(); ++v) {
+    if (is_needed[v] == 0) continue;
+    number[v] = static_cast<int>(result.points.size());
+    result.points.push_back(domain.points[v]);
+  }
+  for (Segment& s : result.segments) {
+    s = piece_of(s, number[at(s.a)], number[at(s.b)]);
+    if (s.is_straight()) continue;
+    result.curves.push_back(domain.curves[at(s.curve)]);
+    s.curve = static_cast<int>(result.curves.size()) - 1;
+  }
+  for (const int v : domain.required_points)
+    if (is_needed[at(v)] != 0) result.required_points.push_back(number[at(v)]);
+  return result;
+}
+
+Result Arrangement::result() const {
+  Domain domain = subdivision_.domain;
+  std::vector<char> is_border;
+  domain.segments.clear();
+  domain.holes.clear();
+  domain.inside = Inside::HoleSeeds;
+  for (int s = 0; s < num_segments(); ++s) {
+    if (!sources_kept_[at(s)]) continue;
+    const auto& [left, right] = faces_.beside(s);
+    domain.segments.push_back(labelled(s, *sources_kept_[at(s)]));
+    is_border.push_back(static_cast<char>(is_in_result_[at(left)] != is_in_result_[at(right)]));
+  }
+  add_holes(domain);
+  std::vector<char> has_region(groups_.size(), 0);
+  for (const RegionSeed& seed : operands_.all.regions) {
+    const std::size_t face = at(faces_.at(seed.point));
+    if (is_in_result_[face] != 0 && std::exchange(has_region[at(groups_[face])], char{1}) == 0)
+      domain.regions.push_back(seed);
+  }
+  std::vector<char> is_alone(domain.points.size(), 1);
+  for (const Segment& s : subdivision_.domain.segments) is_alone[at(s.a)] = is_alone[at(s.b)] = 0;
+  for (std::size_t v = 0; v < is_alone.size(); ++v)
+    if (is_alone[v] != 0) is_alone[v] = is_in_result_[at(faces_.at(domain.points[v]))];
+  return {compacted(domain, std::move(is_alone)), std::move(is_border)};
+}
+
+/// The curved ones of some segments of the operands; if none of them is, all that are.
+std::vector<char> curved(const Operands& operands, const std::vector<int>& segments) {
+  std::vector<char> all(operands.all.segments.size());
+  std::vector<char> chosen(all.size(), 0);
+  for (std::size_t s = 0; s < all.size(); ++s) all[s] = static_cast<char>(!operands.all.segments[s].is_straight());
+  for (const int s : segments) chosen[at(s)] = all[at(s)];
+  return std::find(chosen.begin(), chosen.end(), char{1}) == chosen.end() ? all : chosen;
+}
+
+/// Whether all seeds of holes, which stand in the middle between chords, are outside as the curves have it.
+bool has_good_seeds(const Result& result) {
+  if (result.domain.curves.empty()) return true;
+  if (find_outline(result.domain).conflict) return false;
+  const Faces faces(result.domain);
+  const std::vector<char> inside = odd_faces(static_cast<int>(result.domain.segments.size()), faces,
+                                             [&](int s) { return result.is_border[at(s)] != 0; });
+  return std::none_of(result.domain.holes.begin(), result.domain.holes.end(),
+                      [&](const Point& hole) { return inside[at(faces.at(hole))] != 0; });
+}
+
+}  // namespace
+
+Domain combine(SetOperation operation, std::span<const Domain> domains) {
+  Operands operands = gather(domains);
+  while (!operands.all.segments.empty()) {
+    DomainRepair subdivision = subdivide(operands.all);
+    if (const auto conflict = find_outline(subdivision.domain).conflict) {
+      const std::vector<int> segments{subdivision.source_segment(conflict->first),
+                                      subdivision.source_segment(conflict->second)};
+      operands = with_chords(operands, curved(operands, segments));
+      continue;
+    }
+    Result result = Arrangement(operation, operands, std::move(subdivision)).result();
+    if (has_good_seeds(result)) return std::move(result.domain);
+    operands = with_chords(operands, curved(operands, {}));
+  }
+  return {};
+}
+
+}  // namespace parmesan

@@ -1,0 +1,332 @@
+#include "mesher/set_operation.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+#include <string>
+
+#include "mesher/delaunay_mesh.h"
+#include "mesher/errors.h"
+#include "mesher/geometry/segment_path.h"
+#include "tests/oracle/mesh_checker.h"
+#include "tests/support/curved_domains.h"
+#include "tests/support/domains.h"
+
+using namespace parmesan;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const std::vector<SetOperation> kOperations{SetOperation::Union, SetOperation::Intersection, SetOperation::Difference};
+
+/// A polygon whose sides all have one label.
+Domain polygon(const std::vector<Point>& corners, int label) {
+  Domain domain;
+  support::add_polygon(domain, corners, 0);
+  for (Segment& s : domain.segments) s.label = label;
+  return domain;
+}
+
+Domain box(double x0, double y0, double x1, double y1, int label) {
+  return polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, label);
+}
+
+Domain disc_at(const Point& center, double radius, int label) {
+  Domain domain;
+  support::add_closed_curve(domain, support::circle(center, radius), label);
+  return domain;
+}
+
+/// Corners at random radii around a centre: simple, but with sides in all directions.
+Domain random_star(std::mt19937_64& random, int label) {
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  const Point center{0.35 + 0.3 * any(random), 0.35 + 0.3 * any(random)};
+  const int n = 5 + static_cast<int>(12.0 * any(random));
+  std::vector<Point> corners;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2.0 * pi * (i + 0.9 * any(random)) / n;
+    corners.push_back(center + (0.05 + 0.25 * any(random)) * Vector{std::cos(angle), std::sin(angle)});
+  }
+  return polygon(corners, label);
+}
+
+/// By the winding of the angles, which shares nothing with the code.
+bool is_in_polygon(const Domain& domain, const Point& p) {
+  double winding = 0.0;
+  for (const Segment& s : domain.segments) {
+    const Vector a = domain.points[static_cast<std::size_t>(s.a)] - p;
+    const Vector b = domain.points[static_cast<std::size_t>(s.b)] - p;
+    winding += std::atan2(cross(a, b), dot(a, b));
+  }
+  return std::abs(winding) > pi;
+}
+
+bool is_in_mesh(const Mesh& mesh, const Point& p) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const std::array<int, 3>& t) {
+    const auto at = [&](int i) { return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+    return doubled_area(at(0), at(1), p) >= 0.0 && doubled_area(at(1), at(2), p) >= 0.0 &&
+           doubled_area(at(2), at(0), p) >= 0.0;
+  });
+}
+
+/// Chords in place of curves, 300 for each.
+Domain straightened(const Domain& domain) {
+  constexpr int parts = 300;
+  Domain result = domain;
+  result.segments.clear();
+  for (const Segment& s : domain.segments) {
+    const int n = s.is_straight() ? 1 : parts;
+    int from = s.a;
+    for (int i = 1; i <= n; ++i) {
+      int to = s.b;
+      if (i < n) {
+        to = static_cast<int>(result.points.size());
+        result.points.push_back(point_on(domain, s, static_cast<double>(i) / n));
+      }
+      result.segments.push_back({from, to, s.label});
+      from = to;
+    }
+  }
+  return result;
+}
+
+Mesh checked_mesh(const Domain& domain) {
+  Mesh mesh = delaunay_mesh(straightened(domain)).mesh;
+  const std::vector<std::string> problems = oracle::problems_of(mesh);
+  CHECK(problems.empty());
+  return mesh;
+}
+
+double area(const Domain& domain) { return domain.segments.empty() ? 0.0 : oracle::area_of(checked_mesh(domain)); }
+
+Domain of_two(SetOperation operation, const Domain& a, const Domain& b) {
+  return combine(operation, std::vector<Domain>{a, b});
+}
+
+bool has_point(const Domain& domain, const Point& p) {
+  return std::find(domain.points.begin(), domain.points.end(), p) != domain.points.end();
+}
+
+std::multiset<int> labels(const Domain& domain) {
+  std::multiset<int> found;
+  for (const Segment& s : domain.segments) found.insert(s.label);
+  return found;
+}
+
+double distance(const Domain& domain, const Segment& s, const Point& p) {
+  return norm(point_on(domain, s, std::clamp(parameter_on(domain, s, p), 0.0, 1.0)) - p);
+}
+
+double lens_area(double r, double d) {
+  return 2.0 * r * r * std::acos(d / (2.0 * r)) - 0.5 * d * std::sqrt(4.0 * r * r - d * d);
+}
+
+}  // namespace
+
+TEST_CASE("Set operations on two squares have the areas, corners and labels that one can draw", "[mesher][sets]") {
+  const Domain a = box(0, 0, 2, 2, 1);
+  const Domain b = box(1, 1, 3, 3, 2);
+  const Domain both = of_two(SetOperation::Intersection, a, b);
+  CHECK(area(both) == Approx(1.0).epsilon(1e-15));
+  CHECK(labels(both) == std::multiset<int>{1, 1, 2, 2});
+  for (const Point& p : {Point{1, 1}, Point{2, 1}, Point{2, 2}, Point{1, 2}}) CHECK(has_point(both, p));
+  const Domain any = of_two(SetOperation::Union, a, b);
+  CHECK(area(any) == Approx(7.0).epsilon(1e-15));
+  CHECK(any.segments.size() == 8);
+  const Domain rest = of_two(SetOperation::Difference, a, b);
+  CHECK(area(rest) == Approx(3.0).epsilon(1e-15));
+  CHECK(labels(rest) == std::multiset<int>{1, 1, 1, 1, 2, 2});
+  CHECK(rest.points.size() == 6);
+}
+
+TEST_CASE("Areas of random polygons obey inclusion and exclusion, points are where they should be", "[mesher][sets]") {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Domain a = random_star(random, 1);
+    const Domain b = random_star(random, 2);
+    INFO("trial " << trial);
+    std::vector<Domain> results;
+    std::vector<Mesh> meshes;
+    for (const SetOperation operation : kOperations) {
+      results.push_back(of_two(operation, a, b));
+      meshes.push_back(results.back().segments.empty() ? Mesh{} : checked_mesh(results.back()));
+    }
+    const auto measure = [&](std::size_t i) { return oracle::area_of(meshes[i]); };
+    CHECK(measure(0) + measure(1) == Approx(area(a) + area(b)).epsilon(1e-12));
+    CHECK(measure(2) + measure(1) == Approx(area(a)).epsilon(1e-12));
+    for (int i = 0; i < 100; ++i) {
+      const Point p{any(random), any(random)};
+      const bool in_a = is_in_polygon(a, p);
+      const bool in_b = is_in_polygon(b, p);
+      CHECK(is_in_mesh(meshes[0], p) == (in_a || in_b));
+      CHECK(is_in_mesh(meshes[1], p) == (in_a && in_b));
+      CHECK(is_in_mesh(meshes[2], p) == (in_a && !in_b));
+    }
+  }
+}
+
+TEST_CASE("Pieces of boundaries keep their label, corners their coordinates", "[mesher][sets]") {
+  std::mt19937_64 random(5);
+  for (int trial = 0; trial < 40; ++trial) {
+    const std::vector<Domain> operands{random_star(random, 1), random_star(random, 2), random_star(random, 3)};
+    const Domain any = combine(SetOperation::Union, operands);
+    for (const Segment& s : any.segments) {
+      const Domain& owner = operands[static_cast<std::size_t>(s.label) - 1];
+      const Point middle = point_on(any, s, 0.5);
+      double nearest = HUGE_VAL;
+      for (const Segment& t : owner.segments) nearest = std::min(nearest, distance(owner, t, middle));
+      CHECK(nearest < 1e-15);
+    }
+    for (std::size_t i = 0; i < operands.size(); ++i)
+      for (const Point& p : operands[i].points)
+        CHECK(has_point(any, p) ==
+              (!is_in_polygon(operands[(i + 1) % 3], p) && !is_in_polygon(operands[(i + 2) % 3], p)));
+  }
+}
+
+TEST_CASE("Shapes with a common side have a union without seam", "[mesher][sets]") {
+  SECTION("all of the side") {
+    const Domain any = of_two(SetOperation::Union, box(0, 0, 1, 1, 1), box(1, 0, 2, 1, 2));
+    CHECK(any.segments.size() == 6);
+    CHECK(area(any) == Approx(2.0).epsilon(1e-15));
+    CHECK(of_two(SetOperation::Intersection, box(0, 0, 1, 1, 1), box(1, 0, 2, 1, 2)).segments.empty());
+    CHECK(area(of_two(SetOperation::Difference, box(0, 0, 1, 1, 1), box(1, 0, 2, 1, 2))) == Approx(1.0));
+  }
+  SECTION("parts of slanted sides, whose corners are rounded") {
+    for (int i = 0; i < 50; ++i) {
+      const double angle = 0.1 + 0.11 * i;
+      const Vector u{std::cos(angle), std::sin(angle)};
+      const Vector v{-u.y, u.x};
+      const Point o{3.0, 7.0};
+      const auto turned = [&](double x0, double y0, double x1, double y1, int label) {
+        return polygon({o + x0 * u + y0 * v, o + x1 * u + y0 * v, o + x1 * u + y1 * v, o + x0 * u + y1 * v}, label);
+      };
+      const Domain any = of_two(SetOperation::Union, turned(0, 0, 1, 1, 1), turned(1, 0.3, 1.7, 0.8, 2));
+      INFO("angle " << angle);
+      CHECK(any.holes.empty());
+      CHECK(any.segments.size() == 8);
+      CHECK(area(any) == Approx(1.35).epsilon(1e-14));
+    }
+  }
+  SECTION("the cells of a grid; those of a chess board touch in points only") {
+    std::vector<Domain> cells;
+    std::vector<Domain> white;
+    for (int i = 0; i < 5; ++i) {
+      for (int j = 0; j < 5; ++j) {
+        cells.push_back(box(0.1 * i, 0.1 * j, 0.1 * (i + 1), 0.1 * (j + 1), 1));
+        if ((i + j) % 2 == 0) white.push_back(cells.back());
+      }
+    }
+    const Domain whole = combine(SetOperation::Union, cells);
+    CHECK(whole.segments.size() == 20);
+    CHECK(whole.holes.empty());
+    const Domain board = combine(SetOperation::Union, white);
+    CHECK(board.segments.size() == 13 * 4);
+    CHECK(area(board) == Approx(0.13).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("A set with itself", "[mesher][sets]") {
+  const Domain a = GENERATE(box(0, 0, 1, 2, 1), disc_at({0.3, 0.2}, 1.7, 1));
+  CHECK(area(of_two(SetOperation::Union, a, a)) == Approx(area(a)).epsilon(1e-4));  // of twice as many chords
+  CHECK(area(of_two(SetOperation::Intersection, a, a)) == Approx(area(a)).epsilon(1e-4));
+  CHECK(of_two(SetOperation::Difference, a, a).segments.empty());
+}
+
+TEST_CASE("Curves stay curves where they cross others", "[mesher][sets]") {
+  SECTION("two discs") {
+    const double d = GENERATE(0.02, 0.5, std::numbers::sqrt2, 1.0, 1.9, 1.999);
+    const Domain a = disc_at({0, 0}, 1.0, 1);
+    const Domain b = disc_at({d, 0}, 1.0, 2);
+    const Domain lens = of_two(SetOperation::Intersection, a, b);
+    CAPTURE(d);
+    for (const Segment& s : lens.segments) CHECK_FALSE(s.is_straight());
+    CHECK(area(lens) == Approx(lens_area(1.0, d)).epsilon(1e-4));
+    CHECK(area(of_two(SetOperation::Union, a, b)) == Approx(2.0 * pi - lens_area(1.0, d)).epsilon(1e-4));
+    CHECK(area(of_two(SetOperation::Difference, a, b)) == Approx(pi - lens_area(1.0, d)).epsilon(1e-4));
+    for (const Segment& s : lens.segments) {
+      const Point center{s.label == 1 ? 0.0 : d, 0.0};
+      for (const double t : {0.0, 0.3, 1.0}) CHECK(norm(point_on(lens, s, t) - center) == Approx(1.0).epsilon(4e-15));
+    }
+  }
+  SECTION("a disc and a half plane cut off a segment") {
+    const double h = GENERATE(-0.3, 0.0, 0.8, 0.9999);
+    const Domain cap = of_two(SetOperation::Difference, disc_at({0, 0}, 1.0, 1), box(-2, -2, 2, h, 2));
+    CAPTURE(h);
+    CHECK(area(cap) == Approx(std::acos(h) - h * std::sqrt(1.0 - h * h)).epsilon(1e-4));
+    CHECK(labels(cap).count(2) >= 1);
+    for (const Segment& s : cap.segments) CHECK(s.is_straight() == (s.label == 2));
+  }
+  SECTION("arcs of one circle run together") {
+    Domain half = support::half_disc();
+    const Domain lower = box(-2, -2, 2, 0, 3);
+    CHECK(area(of_two(SetOperation::Union, half, disc_at({0, 0}, 1.0, 2))) == Approx(pi).epsilon(1e-4));
+    CHECK(area(of_two(SetOperation::Intersection, half, disc_at({0, 0}, 1.0, 2))) == Approx(0.5 * pi).epsilon(1e-4));
+    CHECK(area(of_two(SetOperation::Union, half, lower)) == Approx(8.0 + 0.5 * pi).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("Curves that touch others become chords, and the result is valid", "[mesher][sets]") {
+  const Domain strip = box(-3, -1, 3, 1, 1);
+  for (const double angle : {0.0, 0.3}) {
+    const Point center{std::cos(angle), 0.0};
+    const Domain touching = disc_at(center, 1.0, 2);
+    CHECK(area(of_two(SetOperation::Difference, strip, touching)) == Approx(12.0 - pi).epsilon(1e-3));
+    CHECK(area(of_two(SetOperation::Union, strip, touching)) == Approx(12.0).epsilon(1e-3));
+  }
+  const Domain twins = of_two(SetOperation::Union, disc_at({-1, 0}, 1.0, 1), disc_at({1, 0}, 1.0, 2));
+  CHECK(area(twins) == Approx(2.0 * pi).epsilon(1e-3));
+  const Domain crescent = of_two(SetOperation::Difference, disc_at({0, 0}, 2.0, 1), disc_at({1, 0}, 1.0, 2));
+  CHECK(area(crescent) == Approx(3.0 * pi).epsilon(1e-3));
+}
+
+TEST_CASE("Holes, islands and rings", "[mesher][sets]") {
+  Domain ring = box(0, 0, 9, 9, 1);
+  support::add_polygon(ring, {{1, 1}, {8, 1}, {8, 8}, {1, 8}}, 11);
+  ring.holes = {{2, 2}};
+  const Domain island = of_two(SetOperation::Union, ring, box(3, 3, 6, 6, 2));
+  CHECK(area(island) == Approx(81.0 - 49.0 + 9.0).epsilon(1e-15));
+  CHECK(island.holes.size() == 1);
+  CHECK(area(of_two(SetOperation::Difference, island, box(4, 4, 5, 5, 3))) == Approx(40.0).epsilon(1e-15));
+  CHECK(area(of_two(SetOperation::Difference, box(-1, -1, 10, 10, 4), island)) == Approx(121.0 - 41.0).epsilon(1e-15));
+  ring.inside = Inside::EvenOdd;
+  ring.holes.clear();
+  CHECK(area(of_two(SetOperation::Union, ring, box(3, 3, 6, 6, 2))) == Approx(41.0).epsilon(1e-15));
+  // The hole that four bars enclose.
+  const std::vector<Domain> bars{box(0, 0, 9, 1, 1), box(0, 8, 9, 9, 2), box(0, 0, 1, 9, 3), box(8, 0, 9, 9, 4)};
+  CHECK(area(combine(SetOperation::Union, bars)) == Approx(32.0).epsilon(1e-15));
+}
+
+TEST_CASE("What is inside of shapes stays where the result has it", "[mesher][sets]") {
+  Domain a = box(0, 0, 4, 4, 1);
+  a.points.insert(a.points.end(), {{1, 2}, {3, 2}, {1, 1}, {3, 3.5}, {0.5, 3}, {3, 1}});
+  a.segments.push_back({4, 5, 7});     // half of it will be cut off
+  a.segments.push_back({6, 9, 8, 9});  // a crack across
+  a.required_points = {0, 8};
+  a.regions = {{{0.25, 0.25}, 5}};
+  const Domain rest = of_two(SetOperation::Difference, a, box(2, -1, 5, 5, 2));
+  CHECK(labels(rest) == std::multiset<int>{1, 1, 1, 2, 2, 2, 7, 8});
+  const auto crack = std::find_if(rest.segments.begin(), rest.segments.end(), [](auto& s) { return s.label == 8; });
+  CHECK(crack->label_right == 9);
+  CHECK(rest.points[static_cast<std::size_t>(crack->a)] == Point{1, 1});
+  CHECK(rest.points[static_cast<std::size_t>(crack->b)] == Point{2, 1});
+  CHECK(has_point(rest, {0.5, 3}));
+  CHECK_FALSE(has_point(rest, {3, 3.5}));
+  REQUIRE(rest.required_points.size() == 2);
+  CHECK(rest.points[static_cast<std::size_t>(rest.required_points[1])] == Point{0.5, 3});
+  REQUIRE(rest.regions.size() == 1);
+  CHECK(of_two(SetOperation::Intersection, a, box(2, -1, 5, 5, 2)).regions.empty());
+}
+
+TEST_CASE("Operands must be valid, and may be empty", "[mesher][sets][errors]") {
+  const Domain bow = polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 1);
+  CHECK_THROWS_AS(of_two(SetOperation::Union, bow, box(0, 0, 1, 1, 2)), GeometryError);
+  CHECK(area(of_two(SetOperation::Union, Domain{}, box(0, 0, 1, 1, 2))) == 1.0);
+  CHECK(of_two(SetOperation::Difference, Domain{}, box(0, 0, 1, 1, 2)).segments.empty());
+  CHECK(of_two(SetOperation::Intersection, Domain{}, box(0, 0, 1, 1, 2)).segments.empty());
+}
