@@ -16,6 +16,12 @@ void check_field(const MeshField& field, std::size_t entities, const char* where
 
 }  // namespace
 
+std::vector<unsigned char> required_marks(const std::vector<int>& required, std::size_t n) {
+  std::vector<unsigned char> marks(n, 0);
+  for (const int i : required) marks[static_cast<std::size_t>(i)] = 1;
+  return marks;
+}
+
 void check_fields(const MeshFields& fields, const Mesh& mesh) {
   for (const MeshField& field : fields.points) check_field(field, mesh.points.size(), "vertices");
   for (const MeshField& field : fields.cells) check_field(field, mesh.triangles.size(), "triangles");

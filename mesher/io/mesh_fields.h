@@ -31,6 +31,12 @@ struct MeshData {
   MeshFields fields;
 };
 
+/// What files whose format has no section for required parts call the field that marks them, by 1 among 0.
+inline constexpr const char* kRequiredField = "required";
+
+/// One number for each of n entities: 1 for those in the list, 0 for the others.
+std::vector<unsigned char> required_marks(const std::vector<int>& required, std::size_t n);
+
 /// Throws InputError unless each field has 1 to 3 components and one value per entity.
 void check_fields(const MeshFields& fields, const Mesh& mesh);
 

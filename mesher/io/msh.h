@@ -18,7 +18,8 @@ enum class Encoding { Text, Binary };
 /// Where no element of a dimension has a group they are the numbers of the entities, if there are several.
 /// Edges and triangles are ordered by their tags. Nodes that no triangle or line has are left out, clockwise triangles
 /// and boundary lines with the domain to their right are turned, lines that are given again are left out.
-/// NodeData and ElementData become fields; of several time steps the last one counts. All z must be 0.
+/// NodeData and ElementData become fields, but for those called "required" of 0 and 1: they mark what is required to
+/// stay, of lines and triangles in one. Of several time steps the last one counts. All z must be 0.
 /// Errors: FileError with the line, or the byte of a binary file; also for elements of other kinds, fields that have
 /// not one value per node or triangle, and vectors and tensors that leave the plane or are not symmetric.
 MeshData read_msh(const std::string& path);

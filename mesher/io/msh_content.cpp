@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <numeric>
 #include <set>
 #include <system_error>
@@ -166,6 +167,30 @@ std::vector<MeshField> plane_fields(const std::vector<MshField>& fields, const s
   return result;
 }
 
+/// Takes out the fields that mark what is required to stay: those of that name that consist of 0 and 1.
+std::vector<MshField> take_marks(std::vector<MshField>& fields) {
+  const auto is_field = [](const MshField& field) {
+    return field.name != kRequiredField || field.components != 1 ||
+           !std::all_of(field.values.begin(), field.values.end(), [](double v) { return v == 0.0 || v == 1.0; });
+  };
+  const auto first = std::stable_partition(fields.begin(), fields.end(), is_field);
+  std::vector<MshField> marks(std::make_move_iterator(first), std::make_move_iterator(fields.end()));
+  fields.erase(first, fields.end());
+  return marks;
+}
+
+/// Those of our entities whose tags are marked; tag_of: the tag of each.
+std::vector<int> marked(const std::vector<MshField>& marks, const std::vector<std::int64_t>& tag_of) {
+  std::set<std::int64_t> tags;
+  for (const MshField& field : marks)
+    for (std::size_t i = 0; i < field.tags.size(); ++i)
+      if (field.values[i] == 1.0) tags.insert(field.tags[i]);
+  std::vector<int> result;
+  for (std::size_t i = 0; i < tag_of.size(); ++i)
+    if (tags.contains(tag_of[i])) result.push_back(static_cast<int>(i));
+  return result;
+}
+
 }  // namespace
 
 MeshData mesh_data_of(MshContent content) {
@@ -185,6 +210,10 @@ MeshData mesh_data_of(MshContent content) {
   std::vector<std::int64_t> node_tags;
   node_tags.reserve(used.size());
   for (const int node : used) node_tags.push_back(content.node_tags.tag(node));
+  mesh.required.vertices = marked(take_marks(content.node_fields), node_tags);
+  const std::vector<MshField> marks = take_marks(content.element_fields);
+  mesh.required.edges = marked(marks, content.lines.tags);
+  mesh.required.triangles = marked(marks, content.triangles.tags);
   data.fields.points = plane_fields(content.node_fields, node_tags, "node");
   data.fields.cells = plane_fields(content.element_fields, content.triangles.tags, "triangle");
   return data;

@@ -66,6 +66,7 @@ class MshWriter {
     write_elements();
     for (const MeshField& field : fields.points) write_field("NodeData", field, 1);
     for (const MeshField& field : fields.cells) write_field("ElementData", field, mesh_.edges.size() + 1);
+    write_required();
     out_.commit();
   }
 
@@ -182,6 +183,20 @@ class MshWriter {
         numbers_.size(static_cast<std::size_t>(vertex) + 1);
       numbers_.end_row();
     }
+  }
+
+  /// Lines and triangles in one field, as their tags follow each other.
+  void write_required() {
+    const RequiredParts& required = mesh_.required;
+    const auto field = [](const std::vector<unsigned char>& marks) {
+      return MeshField{kRequiredField, 1, {marks.begin(), marks.end()}};
+    };
+    if (!required.vertices.empty())
+      write_field("NodeData", field(required_marks(required.vertices, mesh_.points.size())), 1);
+    std::vector<unsigned char> elements = required_marks(required.edges, mesh_.edges.size());
+    const std::vector<unsigned char> triangles = required_marks(required.triangles, mesh_.triangles.size());
+    elements.insert(elements.end(), triangles.begin(), triangles.end());
+    if (!required.edges.empty() || !required.triangles.empty()) write_field("ElementData", field(elements), 1);
   }
 
   void write_field(const char* section, const MeshField& field, std::size_t first_tag) {

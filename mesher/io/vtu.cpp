@@ -58,11 +58,17 @@ void write_field(OutputFile& out, const MeshField& field) {
   write_array(out, "Float64", field.name, components_in_space(field), values_in_space(field));
 }
 
+void write_required(OutputFile& out, const std::vector<int>& required, std::size_t n) {
+  if (!required.empty()) write_array(out, "UInt8", kRequiredField, 1, required_marks(required, n));
+}
+
 void write_fields(OutputFile& out, const Mesh& mesh, const MeshFields& fields) {
   out << "<PointData>\n";
+  write_required(out, mesh.required.vertices, mesh.points.size());
   for (const MeshField& field : fields.points) write_field(out, field);
   out << "</PointData>\n<CellData>\n";
   write_array(out, "Int32", "region", 1, mesh.regions);
+  write_required(out, mesh.required.triangles, mesh.triangles.size());
   for (const MeshField& field : fields.cells) write_field(out, field);
   out << "</CellData>\n";
 }

@@ -9,7 +9,8 @@
 namespace parmesan {
 
 /// Writes the triangles for ParaView (VTK XML unstructured grid, binary data in base64), with the
-/// regions as cell field "region". Errors: InputError when a field has not one value per entity,
+/// regions as cell field "region" and, where there are any, the required vertices and triangles as fields "required" of
+/// 0 and 1 (edges are not in these files). Errors: InputError when a field has not one value per entity,
 /// FileError. Cost: O(size).
 void write_vtu(const std::string& path, const Mesh& mesh, const MeshFields& fields = {});
 

@@ -126,11 +126,11 @@ TEST_CASE("what a mesh requires is required of its domain", "[mesher][required]"
   CHECK(domain.points[at(domain.required_points[0])] == Point{0.5, 0.5});
 }
 
-TEST_CASE("required parts survive Medit files", "[mesher][required][io]") {
+TEST_CASE("required parts survive files of Medit and Gmsh", "[mesher][required][io]") {
   const support::TemporaryFolder folder;
   Mesh mesh = support::rectangle_mesh(3, 2);
   mesh.required = {{0, 4, 11}, {2}, {1, 5}};
-  const char* name = GENERATE("a.mesh", "a.meshb");
+  const char* name = GENERATE("a.mesh", "a.meshb", "a.msh");
   write_mesh_file(folder / name, mesh);
   CHECK(read_mesh_file(folder / name).required == mesh.required);
 }

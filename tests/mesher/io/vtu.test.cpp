@@ -85,6 +85,19 @@ TEST_CASE("A .vtu file holds the mesh and its fields", "[mesher][io][vtu]") {
         std::vector<double>{m.xx, m.xy, 0, m.xy, m.yy, 0, 0, 0, 0});
 }
 
+TEST_CASE("A .vtu file marks required vertices and triangles, if there are any", "[mesher][io][vtu]") {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh(2);
+  write_vtu(folder / "none.vtu", mesh);
+  CHECK(content_of(folder / "none.vtu").find("required") == std::string::npos);
+  mesh.required = {{0, 3}, {1}, {7}};
+  write_vtu(folder / "m.vtu", mesh);
+  const std::string file = content_of(folder / "m.vtu");
+  CHECK(array_of<std::uint8_t>(file, "required") == std::vector<std::uint8_t>{1, 0, 0, 1, 0, 0, 0, 0, 0});
+  const std::string cells = file.substr(file.find("<CellData>"));
+  CHECK(array_of<std::uint8_t>(cells, "required") == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 1});
+}
+
 TEST_CASE("An empty mesh has an empty .vtu file", "[mesher][io][vtu]") {
   const TemporaryFolder folder;
   write_vtu(folder / "m.vtu", Mesh{});
