@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "adapt/number_text.h"
+#include "mesher/geometry/cubic_spline.h"
 #include "mesher/geometry/spline.h"
 
 namespace parmesan {
@@ -34,6 +35,17 @@ std::optional<Curve> read_spline(CaseReading& reading, const Json& value, const 
   return spline_curve(std::move(spline));
 }
 
+std::optional<Curve> read_through(CaseReading& reading, const Json& value, const std::string& pointer) {
+  std::vector<Point> points;
+  for (const Json& point : value["points"]) points.push_back(read_point(point));
+  const SplineEnds ends = value["closed"].get<bool>() ? SplineEnds::Periodic : SplineEnds::Natural;
+  if (const auto fault = fault_of_points(points, ends)) {
+    reading.issues.add(pointer + "/points", *fault);
+    return std::nullopt;
+  }
+  return cubic_spline(std::move(points), ends);
+}
+
 /// A number or an expression of t, which stands at the place of x in it.
 std::optional<Expression> read_coordinate(CaseReading& reading, const Json& value, const std::string& pointer) {
   if (value.is_number()) return Expression::constant(value.get<double>());
@@ -59,6 +71,7 @@ std::optional<Curve> read_kind(CaseReading& reading, const Json& object, const s
   if (kind == "arc") return read_arc(object[kind]);
   if (kind == "ellipse") return read_ellipse(object[kind]);
   if (kind == "spline") return read_spline(reading, object[kind], pointer);
+  if (kind == "through") return read_through(reading, object[kind], pointer);
   return read_parametric(reading, object[kind], pointer);
 }
 
@@ -94,7 +107,7 @@ Curve read_circle(const Json& value) {
 }
 
 std::optional<Curve> read_curve(CaseReading& reading, const Json& object, const std::string& pointer) {
-  for (const std::string kind : {"arc", "ellipse", "spline", "parametric"}) {
+  for (const std::string kind : {"arc", "ellipse", "spline", "through", "parametric"}) {
     if (!object.contains(kind)) continue;
     std::string place = pointer;
     place.append("/").append(kind);

@@ -15,7 +15,8 @@ Curve read_ellipse(const nlohmann::ordered_json& value);
 /// Reads { "center", "radius" } as a closed curve.
 Curve read_circle(const nlohmann::ordered_json& value);
 
-/// Reads one of "arc", "ellipse", "spline" and "parametric" of an object; nothing, and an issue, when it is no curve.
+/// Reads one of "arc", "ellipse", "spline", "through" and "parametric" of an object; nothing, and an issue, when it is
+/// no curve.
 std::optional<Curve> read_curve(CaseReading& reading, const nlohmann::ordered_json& object, const std::string& pointer);
 
 /// Reads a list of pieces, lines and curves, each of which begins where the one before ends, the first where the last

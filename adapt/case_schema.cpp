@@ -112,6 +112,15 @@ constexpr const char* kSchema = R"schema({
                      "description": "one for each point; default: 1, a B-spline" }
       }
     },
+    "through": {
+      "type": "object", "required": ["points"], "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "description": "the cubic spline through points",
+      "properties": {
+        "points": { "type": "array", "items": { "$ref": "#/$defs/point" } },
+        "closed": { "type": "boolean", "default": false,
+                    "description": "true: smoothly back to the first point; else the ends are without curvature" }
+      }
+    },
     "parametric": {
       "type": "object", "required": ["x", "y"], "additionalProperties": false, "patternProperties": { "^x-": {} },
       "properties": {
@@ -123,29 +132,30 @@ constexpr const char* kSchema = R"schema({
     "piece": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
       "oneOf": [{ "required": ["line"] }, { "required": ["arc"] }, { "required": ["ellipse"] },
-                { "required": ["spline"] }, { "required": ["parametric"] }],
+                { "required": ["spline"] }, { "required": ["through"] }, { "required": ["parametric"] }],
       "properties": {
         "line": { "title": "a list of at least 2 points", "type": "array", "items": { "$ref": "#/$defs/point" },
                   "minItems": 2 },
         "arc": { "$ref": "#/$defs/arc" }, "ellipse": { "$ref": "#/$defs/ellipse" },
-        "spline": { "$ref": "#/$defs/spline" }, "parametric": { "$ref": "#/$defs/parametric" },
+        "spline": { "$ref": "#/$defs/spline" }, "through": { "$ref": "#/$defs/through" },
+        "parametric": { "$ref": "#/$defs/parametric" },
         "label": { "type": "string", "minLength": 1 }
       }
     },
     "path": { "title": "a list of pieces, each from where the one before ends", "type": "array",
               "items": { "$ref": "#/$defs/piece" }, "minItems": 1 },
     "naca": {
-      "type": "object", "required": ["code", "channel"], "additionalProperties": false,
+      "type": "object", "required": ["code"], "additionalProperties": false,
       "patternProperties": { "^x-": {} },
       "properties": {
-        "code": { "type": "string", "description": "four digits, such as 0012 or 2412" },
+        "code": { "type": "string", "description": "four digits, such as 0012 or 2412, or five, such as 23012" },
         "chord": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0, "default": 1 },
         "angle": { "$ref": "#/$defs/constant", "minimum": -90, "maximum": 90, "default": 0,
                    "description": "angle of attack in degrees, nose up" },
         "position": { "$ref": "#/$defs/point", "default": [0, 0], "description": "of the leading edge" },
-        "points": { "type": "integer", "minimum": 8, "maximum": 100000, "default": 120,
-                    "description": "around the airfoil" },
-        "channel": { "$ref": "#/$defs/box" }
+        "points": { "type": "integer", "minimum": 8, "maximum": 100000,
+                    "description": "corners of a polygon in place of the airfoil" },
+        "channel": { "$ref": "#/$defs/box", "description": "only shapes of operations do without" }
       }
     },
     "hole": {
@@ -163,22 +173,26 @@ constexpr const char* kSchema = R"schema({
     "segment": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
       "oneOf": [{ "required": ["from"] }, { "required": ["arc"] }, { "required": ["ellipse"] },
-                { "required": ["spline"] }, { "required": ["parametric"] }],
+                { "required": ["spline"] }, { "required": ["through"] }, { "required": ["parametric"] }],
       "properties": {
         "from": { "$ref": "#/$defs/point" }, "to": { "$ref": "#/$defs/point" },
         "arc": { "$ref": "#/$defs/arc" }, "ellipse": { "$ref": "#/$defs/ellipse" },
-        "spline": { "$ref": "#/$defs/spline" }, "parametric": { "$ref": "#/$defs/parametric" },
+        "spline": { "$ref": "#/$defs/spline" }, "through": { "$ref": "#/$defs/through" },
+        "parametric": { "$ref": "#/$defs/parametric" },
         "label": { "type": "string", "minLength": 1, "default": "inside" },
         "label_right": { "type": "string", "minLength": 1,
                          "description": "makes it a crack: the label of its side to the right of its direction" },
         "required": { "type": "boolean", "description": "true: stays one edge of every mesh" }
       }
     },
-    "geometry": {
+    "shapes": { "title": "a list of at least 2 shapes", "type": "array", "items": { "$ref": "#/$defs/shape" },
+                "minItems": 2 },
+    "shape": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
       "oneOf": [{ "required": ["rectangle"] }, { "required": ["disc"] }, { "required": ["ellipse"] },
                 { "required": ["polygon"] }, { "required": ["curves"] }, { "required": ["naca"] },
-                { "required": ["file"] }],
+                { "required": ["file"] }, { "required": ["union"] }, { "required": ["intersection"] },
+                { "required": ["difference"] }],
       "properties": {
         "rectangle": { "$ref": "#/$defs/box", "description": "sides: left, right, bottom, top" },
         "disc": { "$ref": "#/$defs/disc", "description": "side: circle" },
@@ -187,6 +201,40 @@ constexpr const char* kSchema = R"schema({
         "curves": { "$ref": "#/$defs/path", "description": "sides: boundary, unless pieces have labels" },
         "naca": { "$ref": "#/$defs/naca", "description": "sides: airfoil, left, right, bottom, top" },
         "file": { "type": "string", "minLength": 1, "description": "beside or below the case file" },
+        "union": { "$ref": "#/$defs/shapes", "description": "what is in any of them" },
+        "intersection": { "$ref": "#/$defs/shapes", "description": "what is in all of them" },
+        "difference": { "$ref": "#/$defs/shapes", "description": "what is in the first and in none of the others" },
+        "labels": {
+          "anyOf": [
+            { "title": "a list with a name per side of the polygon", "type": "array",
+              "items": { "type": "string", "minLength": 1 } },
+            { "title": "an object side -> new name", "type": "object",
+              "additionalProperties": { "type": "string", "minLength": 1 } }]
+        },
+        "holes": {
+          "type": "array",
+          "items": { "anyOf": [{ "$ref": "#/$defs/ring" }, { "$ref": "#/$defs/hole" }] },
+          "description": "sides: hole1, hole2, ..., unless a label is given"
+        }
+      }
+    },
+    "geometry": {
+      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
+      "oneOf": [{ "required": ["rectangle"] }, { "required": ["disc"] }, { "required": ["ellipse"] },
+                { "required": ["polygon"] }, { "required": ["curves"] }, { "required": ["naca"] },
+                { "required": ["file"] }, { "required": ["union"] }, { "required": ["intersection"] },
+                { "required": ["difference"] }],
+      "properties": {
+        "rectangle": { "$ref": "#/$defs/box", "description": "sides: left, right, bottom, top" },
+        "disc": { "$ref": "#/$defs/disc", "description": "side: circle" },
+        "ellipse": { "$ref": "#/$defs/whole_ellipse", "description": "side: ellipse" },
+        "polygon": { "$ref": "#/$defs/ring", "description": "side: boundary, unless labels are given" },
+        "curves": { "$ref": "#/$defs/path", "description": "sides: boundary, unless pieces have labels" },
+        "naca": { "$ref": "#/$defs/naca", "description": "sides: airfoil, left, right, bottom, top" },
+        "file": { "type": "string", "minLength": 1, "description": "beside or below the case file" },
+        "union": { "$ref": "#/$defs/shapes", "description": "what is in any of them" },
+        "intersection": { "$ref": "#/$defs/shapes", "description": "what is in all of them" },
+        "difference": { "$ref": "#/$defs/shapes", "description": "what is in the first and in none of the others" },
         "labels": {
           "anyOf": [
             { "title": "a list with a name per side of the polygon", "type": "array",

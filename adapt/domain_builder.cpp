@@ -119,6 +119,32 @@ void DomainBuilder::add_segment(const Point& a, const Point& b, const std::strin
   domain_.segments.back().required = is_required;
 }
 
+int DomainBuilder::region(const std::string& name) {
+  const auto found =
+      std::ranges::find_if(domain_.region_names, [&name](const auto& entry) { return entry.second == name; });
+  if (found != domain_.region_names.end()) return found->first;
+  const int next = domain_.region_names.empty() ? 1 : std::max(1, domain_.region_names.rbegin()->first + 1);
+  domain_.region_names[next] = name;
+  return next;
+}
+
+Domain DomainBuilder::renumbered(Domain domain) {
+  for (Segment& s : domain.segments) {
+    s.label = label(label_name(domain.label_names, s.label));
+    if (s.label_right) s.label_right = label(label_name(domain.label_names, *s.label_right));
+  }
+  for (RegionSeed& seed : domain.regions) seed.region = region(label_name(domain.region_names, seed.region));
+  domain.label_names.clear();
+  domain.region_names.clear();
+  return domain;
+}
+
+void DomainBuilder::replace(Domain domain) {
+  domain.label_names = std::move(domain_.label_names);
+  domain.region_names = std::move(domain_.region_names);
+  domain_ = std::move(domain);
+}
+
 void DomainBuilder::add_region(const std::string& name, const Point& seed) {
   int region = 1;
   for (const RegionSeed& other : domain_.regions) region = std::max(region, other.region + 1);

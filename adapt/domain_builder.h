@@ -33,6 +33,12 @@ class DomainBuilder {
   /// A ring with a hole seed inside.
   void add_hole(const Ring& ring, const std::string& side);
 
+  /// The domain with the numbers that labels and regions of these names have here; new ones get numbers.
+  Domain renumbered(Domain domain);
+
+  /// Puts a domain with the labels and regions of this one in its place.
+  void replace(Domain domain);
+
   void add_path(const Path& path);
 
   /// A path with a hole seed inside.
@@ -63,6 +69,7 @@ class DomainBuilder {
 
  private:
   int label(const std::string& name);
+  int region(const std::string& name);
   int curve(const Curve& curve);
 
   Domain domain_;

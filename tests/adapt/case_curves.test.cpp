@@ -85,6 +85,22 @@ TEST_CASE("A path of lines and curves closes; pieces have labels", "[adapt][case
         Approx(0.5 * M_PI + 0.5 * (3.0 * 2.0)).epsilon(1e-5));  // about the origin
 }
 
+TEST_CASE("Cubic splines go through their points, open as a piece or closed alone", "[adapt][case]") {
+  const Domain closed = domain_of_case(
+      R"j("curves": [{"through": {"points": [[2, 0], [0, 2], [-2, 0], [0, -2]], "closed": true}, "label": "blob"}])j");
+  REQUIRE(closed.segments.size() == 1);
+  for (const Point& p : {Point{2, 0}, Point{0, 2}, Point{-2, 0}, Point{0, -2}})
+    CHECK(norm(point_on(closed, closed.segments[0], parameter_on(closed, closed.segments[0], p)) - p) < 1e-12);
+  // Of y = 2 cos: -3 y are the second derivatives by the number of the point, (2 + 0)/2 + 3 (2 + 0)/16 the middle.
+  CHECK(norm(point_on(closed, closed.segments[0], 0.125) - Point{1.375, 1.375}) < 1e-14);
+  const Domain open = domain_of_case(with_piece(R"j({"through": {"points": [[1, 0], [1.5, 0.5], [1, 1]]}})j"));
+  CHECK_FALSE(open.segments[1].is_straight());
+  CHECK_THAT(issues_with(with_piece(R"j({"through": {"points": [[1, 0], [1, 0], [1, 1]]}})j")),
+             Catch::Contains("/geometry/curves/1/through/points: must differ from one to the next, but 0 and 1"));
+  CHECK_THAT(issues_with(with_piece(R"j({"through": {"points": [[1, 0]]}})j")),
+             Catch::Contains("/geometry/curves/1/through/points: must be at least 2, not 1"));
+}
+
 TEST_CASE("What is wrong with a curve is said at its place", "[adapt][case][errors]") {
   CHECK_THAT(issues_with(with_piece(R"j({"arc": {"center": [1, 0.5], "radius": 0.4, "from": -90, "to": 90}})j")),
              Catch::Contains("/geometry/curves/1: begins at (1, 0.1), but the piece before it ends at (1, 0)\n") &&
