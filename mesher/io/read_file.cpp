@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 
 #include "mesher/errors.h"
 #include "mesher/io/text.h"
@@ -12,6 +13,8 @@ namespace parmesan {
 namespace {
 
 /// A file that is open for reading, closed when it goes.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8; editors put it before texts
+
 class OpenFile {
  public:
   // Without O_NONBLOCK the opening of a pipe would wait for a writer.
@@ -54,6 +57,7 @@ std::string read_file(const std::string& path, std::uint64_t max_bytes) {
     if (got == 0) throw FileError(path, 0, "became shorter while it was read");
     done += static_cast<std::size_t>(got);
   }
+  if (content.starts_with(byte_order_mark)) content.erase(0, byte_order_mark.size());
   return content;
 }
 

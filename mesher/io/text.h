@@ -10,7 +10,7 @@ namespace parmesan {
 /// The largest file that is read: 4 GiB.
 inline constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 32;
 
-/// The whole content of a regular file.
+/// The whole content of a regular file, but for the byte order mark of UTF-8, if it begins with one.
 ///
 /// Errors: FileError when the file cannot be opened or read, is not a regular file (a folder, a
 /// pipe, a device) or has more than max_bytes. Cost: one copy of the file.

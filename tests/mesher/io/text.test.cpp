@@ -136,6 +136,13 @@ TEST_CASE("read_file reads regular files of limited size only", "[mesher][io][er
   CHECK_THROWS_AS(read_file(folder / "pipe"), FileError);
 }
 
+TEST_CASE("read_file leaves out the byte order mark of UTF-8", "[mesher][io]") {
+  const TemporaryFolder folder;
+  CHECK(read_file(folder.make("f", "\xEF\xBB\xBFtext")) == "text");
+  CHECK(read_file(folder.make("mark", "\xEF\xBB\xBF")).empty());
+  CHECK(read_file(folder.make("g", "\xEF\xBB")) == "\xEF\xBB");
+}
+
 TEST_CASE("file_suffix looks at the last dot of the name", "[mesher][io]") {
   CHECK(parmesan::file_suffix("a/b.c/d.MESH") == ".mesh");
   CHECK(parmesan::file_suffix("a.b/c").empty());
