@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "mesher/io/medit.h"
 #include "tests/oracle/mesh_checker.h"
@@ -186,6 +187,25 @@ TEST_CASE("mesh refuses what it cannot do with the exit code of the reason", "[s
     CHECK_FALSE(std::filesystem::exists(folder / "out.mesh"));
   }
   if (!std::filesystem::exists(folder / "file")) CHECK_FALSE(std::filesystem::exists(folder / "out.mesh"));
+}
+
+TEST_CASE("memory that ends at any time ends with 8, and nothing is written", "[system][mesh][errors]") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", square_poly);
+  std::set<int> codes;
+  for (const char* megabytes : {"20", "28", "36", "44", "52", "2000"}) {
+    const std::string out = folder / (std::string(megabytes) + ".mesh");
+    const ProgramResult result = run_program({"mesh", square, "--size", "0.003", "--limit",
+                                              std::string("memory_mb=") + megabytes, "--threads", "2", "-o", out});
+    INFO(megabytes << " MB: " << result.err);
+    codes.insert(result.exit_code);
+    CHECK((result.exit_code == 0 || result.exit_code == 8));
+    CHECK(std::filesystem::exists(out) == (result.exit_code == 0));
+    if (result.exit_code == 8) CHECK_THAT(result.err, Catch::Contains("not enough memory"));
+  }
+#ifndef PARMESAN_SANITIZE  // whose shadow memory counts: then there is no limit
+  CHECK(codes == std::set<int>{0, 8});
+#endif
 }
 
 TEST_CASE("mesh says nothing of a metric that is satisfied, and from what it started", "[system][mesh]") {
