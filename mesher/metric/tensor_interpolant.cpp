@@ -34,11 +34,16 @@ void TensorInterpolant::build(const Mesh& mesh, std::span<const SymmetricTensor>
   const auto neighbors = has_cracks(mesh) ? triangle_neighbors(close_cracks(mesh).mesh) : triangle_neighbors(mesh);
   triangles_.reserve(neighbors.size());
   for (std::size_t t = 0; t < neighbors.size(); ++t) triangles_.push_back({mesh.triangles[t], neighbors[t]});
+  boxes_ = BoxTree(triangles_.size(), [this](std::size_t t) {
+    BoxTree::Box box;
+    for (const int corner : triangles_[t].corners) box.add(vertex(corner).point);
+    return box;
+  });
 }
 
 SymmetricTensor TensorInterpolant::at(const Point& p, MetricHint& hint) const {
   Location where = locate(p, hint >= 0 && hint < static_cast<int>(triangles_.size()) ? hint : near(p));
-  if (where.triangle < 0) where = locate_exhaustively(p);
+  if (where.triangle < 0) where = locate_nearest(p);
   hint = where.triangle;
   const auto& corners = triangles_[static_cast<std::size_t>(where.triangle)].corners;
   SymmetricTensor tensor{};
@@ -110,24 +115,21 @@ TensorInterpolant::Location TensorInterpolant::locate(const Point& p, int start)
   return {};
 }
 
-// The triangle that p lies in, else the one with the vertex nearest to p in clamped coordinates.
-TensorInterpolant::Location TensorInterpolant::locate_exhaustively(const Point& p) const {
-  Location best;
-  double best_distance = 0.0;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+// The triangle that p lies in, else the one with the point nearest to p in clamped coordinates.
+TensorInterpolant::Location TensorInterpolant::locate_nearest(const Point& p) const {
+  const auto weights = [&](std::size_t t) {
     const Point& a = vertex(triangles_[t].corners[0]).point;
     const Point& b = vertex(triangles_[t].corners[1]).point;
     const Point& c = vertex(triangles_[t].corners[2]).point;
     const double area = doubled_area(a, b, c);
-    const std::array<double, 3> w =
-        clamped({doubled_area(p, b, c) / area, doubled_area(a, p, c) / area, doubled_area(a, b, p) / area});
-    const double distance = squared_norm(w[0] * a + w[1] * b + w[2] * c - p);
-    if (best.triangle < 0 || distance < best_distance) {
-      best = {static_cast<int>(t), w};
-      best_distance = distance;
-    }
-  }
-  return best;
+    return clamped({doubled_area(p, b, c) / area, doubled_area(a, p, c) / area, doubled_area(a, b, p) / area});
+  };
+  const std::size_t nearest = boxes_.nearest(p, [&](std::size_t t) {
+    const std::array<double, 3> w = weights(t);
+    const auto corner = [&](std::size_t k) { return vertex(triangles_[t].corners[k]).point; };
+    return squared_norm(w[0] * corner(0) + w[1] * corner(1) + w[2] * corner(2) - p);
+  });
+  return {static_cast<int>(nearest), weights(nearest)};
 }
 
 }  // namespace parmesan

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/mesh.h"
+#include "mesher/metric/box_tree.h"
 #include "mesher/metric/tensor_field.h"
 
 namespace parmesan {
@@ -14,7 +15,8 @@ namespace parmesan {
 ///
 /// Outside of the mesh the nearest triangle found decides, with its barycentric coordinates
 /// clamped. Walks pass cracks; on one, any of its sides may answer. Brings a mesh whose numbering is not local into the
-/// order of memory first, so hints are its own. Cost of a look-up: O(triangles crossed), O(1) with a good hint.
+/// order of memory first, so hints are its own. Cost of a look-up: O(triangles crossed), O(1) with a good hint, O(log
+/// n) expected outside of the mesh.
 class TensorInterpolant final : public TensorField {
  public:
   /// tensors: one per vertex of the mesh. Errors: InputError when the counts differ.
@@ -31,7 +33,7 @@ class TensorInterpolant final : public TensorField {
   };
   int near(const Point& p) const;
   Location locate(const Point& p, int start) const;
-  Location locate_exhaustively(const Point& p) const;
+  Location locate_nearest(const Point& p) const;
 
   struct Vertex {
     Point point;
@@ -45,6 +47,7 @@ class TensorInterpolant final : public TensorField {
 
   std::vector<Vertex> vertices_;
   std::vector<Triangle> triangles_;
+  BoxTree boxes_;  // around the triangles
 };
 
 }  // namespace parmesan
