@@ -204,9 +204,12 @@ std::vector<char> curved(const Operands& operands, const std::vector<int>& segme
   return std::find(chosen.begin(), chosen.end(), char{1}) == chosen.end() ? all : chosen;
 }
 
-/// Whether all seeds of holes, which stand in the middle between chords, are outside as the curves have it.
-bool has_good_seeds(const Result& result) {
+/// Whether the curves end where their segments do, and all seeds of holes, which stand in the middle between chords,
+/// are outside as the curves have it.
+bool is_fit(const Result& result) {
   if (result.domain.curves.empty()) return true;
+  for (const Segment& s : result.domain.segments)
+    if (!s.is_straight() && !ends_meet(result.domain, s)) return false;
   if (find_outline(result.domain).conflict) return false;
   const Faces faces(result.domain);
   const std::vector<char> inside = odd_faces(static_cast<int>(result.domain.segments.size()), faces,
@@ -228,7 +231,7 @@ Domain combine(SetOperation operation, std::span<const Domain> domains) {
       continue;
     }
     Result result = Arrangement(operation, operands, std::move(subdivision)).result();
-    if (has_good_seeds(result)) return std::move(result.domain);
+    if (is_fit(result)) return std::move(result.domain);
     operands = with_chords(operands, curved(operands, {}));
   }
   return {};

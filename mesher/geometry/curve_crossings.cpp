@@ -15,6 +15,7 @@ namespace {
 
 constexpr double near_end = 1e-9;  // of a curve's extent
 constexpr double chord_share = 1e-6;
+constexpr double least_angle = 1e-6;  // at which segments cross and do not touch
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -156,7 +157,7 @@ std::optional<Point> refined(const Domain& domain, const Meeting& meeting) {
     const Vector along_t = derivative_on(domain, t, v);
     const double slant = cross(along_s, along_t);
     const double size = norm(along_s) * norm(along_t);
-    if (!(std::abs(slant) > 1e-9 * size)) return std::nullopt;
+    if (!(std::abs(slant) > least_angle * size)) return std::nullopt;
     const double du = cross(gap, along_t) / slant;
     const double dv = cross(gap, along_s) / slant;
     u = std::clamp(u + du, 0.0, 1.0);

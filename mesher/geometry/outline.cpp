@@ -62,6 +62,7 @@ class ChordSearch {
   std::vector<char> to_halve_;
   bool any_ = false;
   std::optional<CurveConflict> conflict_;
+  CurveConflict last_;
 };
 
 void ChordSearch::cut(int segment, double t0, double t1) {
@@ -109,7 +110,8 @@ void ChordSearch::must_halve(int chord, int other, const Point& place) {
   const Chord& c = chords_[at(chord)];
   const Point a = point_on(domain_, segment(chord), c.t0);
   const Point b = point_on(domain_, segment(chord), c.t1);
-  if (norm(b - a) <= smallest * size_) conflict_ = CurveConflict{c.segment, chords_[at(other)].segment, place};
+  last_ = {c.segment, chords_[at(other)].segment, place};
+  if (norm(b - a) <= smallest * size_) conflict_ = last_;
   to_halve_[at(chord)] = 1;
   any_ = true;
 }
@@ -215,6 +217,9 @@ void ChordSearch::halve() {
 // The chords must be fit to be triangulated, and the arcs themselves must not meet.
 OutlineResult ChordSearch::run() {
   constexpr int max_rounds = 200;
+  // Beyond that curves run together, or so near to each other that no mesh could tell them apart.
+  constexpr std::size_t max_chords = 100'000;
+  constexpr std::size_t max_chords_per_segment = 100;
   for (int round = 0; round < max_rounds; ++round) {
     to_halve_.assign(chords_.size(), 0);
     any_ = false;
@@ -223,6 +228,7 @@ OutlineResult ChordSearch::run() {
     find_crossings(coarse);
     find_enclosed(coarse);
     if (!any_) find_crossings(polygon(arcs_per_chord));
+    if (any_ && chords_.size() > max_chords_per_segment * domain_.segments.size() + max_chords) conflict_ = last_;
     if (conflict_) return {{}, conflict_};
     if (!any_) {
       std::vector<int> segments;

@@ -28,8 +28,9 @@ struct OutlineResult {
 };
 
 /// Chords that turn by 30 degrees at most, halved until they can stand for their arcs. A conflict is what is left when
-/// they are under 1e-10 of the domain's size. The domain must be clean but for that.
-/// Cost: O(n log n) expected in the number of segments and chords, times the number of halvings, 40 at most.
+/// they are under 1e-10 of the domain's size, or more than 100 000 and 100 for each segment. The domain must be clean
+/// but for that. Cost: O(n log n) expected in the number of segments and chords, times the number of halvings, 40 at
+/// most.
 OutlineResult find_outline(const Domain& domain);
 
 /// The outline of a clean domain.

@@ -93,12 +93,15 @@ Point crossing_of(const DomainRepair& repair, int s, int t) {
 }
 
 DomainRepair split_at_crossings(DomainRepair repair) {
-  constexpr int max_rounds = 1000;  // a search ends after 1000 crossings
+  constexpr int max_rounds = 1000;      // a search ends after 1000 crossings
+  constexpr int max_curve_rounds = 30;  // for curves that run so near to each other that rounding makes crossings
+  int curve_rounds = 0;
   std::vector<std::string> notes;
   for (int round = 0; round < max_rounds; ++round) {
     std::vector<Crossing> crossings = straight_crossings(repair);
     const bool are_straight = !crossings.empty();
     if (!are_straight) {
+      if (++curve_rounds > max_curve_rounds) break;
       repair = drop_repeated_segments(merge_equal_curves(std::move(repair)));
       crossings = curve_crossings(repair.domain);
     }
@@ -106,7 +109,7 @@ DomainRepair split_at_crossings(DomainRepair repair) {
     const std::size_t num_segments = repair.domain.segments.size();
     const auto along = crossings_along(repair, crossings, notes);
     repair = split_along(std::move(repair), along);
-    if (!are_straight) repair = split_curves(std::move(repair));
+    if (!are_straight) repair = cut_curves(std::move(repair));
     repair = split_at_inner_vertices(drop_repeated_segments(std::move(repair)));
     if (!are_straight && repair.domain.segments.size() == num_segments) break;
   }

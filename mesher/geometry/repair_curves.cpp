@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -13,6 +14,12 @@ namespace {
 
 constexpr double tolerance = 1e-9;  // of a curve's extent, within which a point is on it
 
+/// The same as a length near a point; of pieces that are small where coordinates are large 16 ulp of these.
+double reach(const Curve& curve, const Point& p) {
+  constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+  return std::max(tolerance * curve.extent(), rounding * std::max(std::abs(p.x), std::abs(p.y)));
+}
+
 const Curve& curve_of(const DomainRepair& repair, const Segment& s) {
   return repair.domain.curves[static_cast<std::size_t>(s.curve)];
 }
@@ -21,7 +28,7 @@ void require_ends(const DomainRepair& repair, int segment) {
   const Segment& s = repair.segment(segment);
   const Curve& curve = curve_of(repair, s);
   const auto require = [&](const char* verb, const Point& end, int point) {
-    if (norm(repair.point(point) - end) <= tolerance * curve.extent()) return;
+    if (norm(repair.point(point) - end) <= reach(curve, end)) return;
     throw GeometryError("the curve of segment " + text(repair.source_segment(segment)) + " " + verb + " at " +
                             text(end) + ", not at its point " + text(repair.source_point(point)) + ", " +
                             text(repair.point(point)),
@@ -34,7 +41,7 @@ void require_ends(const DomainRepair& repair, int segment) {
 void refuse_seeds_on_curve(const DomainRepair& repair, int segment) {
   const Curve& curve = curve_of(repair, repair.segment(segment));
   const auto check = [&](const Point& seed, const char* kind, int index) {
-    if (norm(curve.at(curve.nearest(seed)) - seed) > tolerance * curve.extent()) return;
+    if (norm(curve.at(curve.nearest(seed)) - seed) > reach(curve, seed)) return;
     throw GeometryError(std::string(kind) + " seed " + text(index) + " lies on segment " +
                             text(repair.source_segment(segment)) + "; move it to the inside of what it marks",
                         {index});
@@ -57,7 +64,7 @@ std::vector<Cut> cuts_at_points(const DomainRepair& repair, const Segment& s) {
   std::vector<Cut> cuts;
   for (int v = 0; v < static_cast<int>(repair.domain.points.size()); ++v) {
     const Point& p = repair.point(v);
-    const double near = tolerance * curve.extent();
+    const double near = reach(curve, p);
     if (norm(p - curve.at(0.0)) > 2.0 * curve.extent()) continue;
     if (v == s.a || v == s.b || norm(p - curve.at(0.0)) <= near || norm(p - curve.at(1.0)) <= near) continue;
     const double t = curve.nearest(p);
@@ -79,7 +86,7 @@ std::vector<Cut> cuts_of(DomainRepair& repair, const Segment& s) {
   const Curve& curve = curve_of(repair, s);
   for (const double t : curve.kinks()) {
     const auto is_there = [&](const Cut& cut) {
-      return norm(repair.point(cut.point) - curve.at(t)) <= tolerance * curve.extent();
+      return norm(repair.point(cut.point) - curve.at(t)) <= reach(curve, curve.at(t));
     };
     if (std::none_of(cuts.begin(), cuts.end(), is_there)) cuts.push_back({t, make_point(repair, curve.at(t))});
   }
@@ -90,7 +97,7 @@ std::vector<Cut> cuts_of(DomainRepair& repair, const Segment& s) {
 
 /// Whether two curves between the same points run together.
 bool are_equal(const Curve& c, const Curve& d) {
-  const double near = tolerance * c.extent();
+  const double near = reach(c, c.at(0.0));
   if (std::abs(c.extent() - d.extent()) > near) return false;
   for (const double t : {0.2, 0.5, 0.8})
     if (norm(d.at(d.nearest(c.at(t))) - c.at(t)) > near) return false;
@@ -98,6 +105,14 @@ bool are_equal(const Curve& c, const Curve& d) {
 }
 
 }  // namespace
+
+bool ends_meet(const Domain& domain, const Segment& s) {
+  const Curve& curve = domain.curves[static_cast<std::size_t>(s.curve)];
+  const auto meets = [&](const Point& end, int point) {
+    return norm(domain.points[static_cast<std::size_t>(point)] - end) <= reach(curve, end);
+  };
+  return meets(curve.at(0.0), s.a) && meets(curve.at(1.0), s.b);
+}
 
 DomainRepair merge_equal_curves(DomainRepair repair) {
   std::map<std::pair<int, int>, std::vector<int>> curves;  // between the same points, different ones
@@ -117,6 +132,15 @@ DomainRepair merge_equal_curves(DomainRepair repair) {
 }
 
 DomainRepair split_curves(DomainRepair repair) {
+  for (int s = 0; s < static_cast<int>(repair.domain.segments.size()); ++s) {
+    if (repair.segment(s).is_straight()) continue;
+    require_ends(repair, s);
+    refuse_seeds_on_curve(repair, s);
+  }
+  return cut_curves(std::move(repair));
+}
+
+DomainRepair cut_curves(DomainRepair repair) {
   const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
   const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -124,8 +148,6 @@ DomainRepair split_curves(DomainRepair repair) {
     repair.domain.segments.push_back(s);
     repair.segment_sources.push_back(sources[i]);
     if (s.is_straight()) continue;
-    require_ends(repair, static_cast<int>(repair.domain.segments.size()) - 1);
-    refuse_seeds_on_curve(repair, static_cast<int>(repair.domain.segments.size()) - 1);
     const std::vector<Cut> cuts = cuts_of(repair, s);
     double from = 0.0;
     for (const Cut& cut : cuts) {

@@ -10,6 +10,7 @@
 
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
+#include "mesher/generate.h"
 #include "mesher/geometry/segment_path.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/curved_domains.h"
@@ -281,8 +282,24 @@ TEST_CASE("Curves that touch others become chords, and the result is valid", "[m
   }
   const Domain twins = of_two(SetOperation::Union, disc_at({-1, 0}, 1.0, 1), disc_at({1, 0}, 1.0, 2));
   CHECK(area(twins) == Approx(2.0 * pi).epsilon(1e-3));
+  // Curves that touch at their ends stay: a cusp.
   const Domain crescent = of_two(SetOperation::Difference, disc_at({0, 0}, 2.0, 1), disc_at({1, 0}, 1.0, 2));
-  CHECK(area(crescent) == Approx(3.0 * pi).epsilon(1e-3));
+  const Mesh mesh = generate(crescent, ConstantField(Metric::isotropic(0.1))).mesh;
+  CHECK(oracle::problems_of(mesh) == std::vector<std::string>{});
+  CHECK(oracle::area_of(mesh) == Approx(3.0 * pi).epsilon(0.01));
+}
+
+TEST_CASE("Curves that all but touch or run together have a result without errors", "[mesher][sets]") {
+  for (const double off : {1e-14, 1e-10, 1e-6}) {
+    const Domain strip = box(-3, -1, 3, 1, 1);
+    CAPTURE(off);
+    for (const double side : {-off, off}) {
+      const Domain rest = of_two(SetOperation::Difference, strip, disc_at({0.3, side}, 1.0, 2));
+      CHECK_NOTHROW(clean(rest));
+      const Domain twins = of_two(SetOperation::Union, disc_at({0, 0}, 1.0, 1), disc_at({side, 2.0 + side}, 1.0, 2));
+      CHECK_NOTHROW(clean(twins));
+    }
+  }
 }
 
 TEST_CASE("Holes, islands and rings", "[mesher][sets]") {
