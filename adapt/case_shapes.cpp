@@ -149,8 +149,11 @@ void add_outline(CaseReading& reading, const Json& geometry, const std::string& 
   if (geometry.contains("polygon")) add_polygon(reading, geometry, pointer, builder);
   if (geometry.contains("naca")) add_naca(reading, geometry["naca"], pointer + "/naca", builder);
   if (geometry.contains("file")) add_file(reading, geometry, pointer, shape);
-  for (const auto& [name, operation] : operations())
-    if (geometry.contains(name)) add_operation(reading, geometry[name], operation, pointer + "/" + name, shape);
+  for (const auto& [name, operation] : operations()) {
+    if (!geometry.contains(name)) continue;
+    const std::string place = std::string(pointer).append("/").append(name);
+    add_operation(reading, geometry[name], operation, place, shape);
+  }
 }
 
 void add_hole(CaseReading& reading, const Json& hole, const std::string& label, const std::string& pointer,
