@@ -219,34 +219,7 @@ constexpr const char* kSchema = R"schema({
       }
     },
     "geometry": {
-      "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
-      "oneOf": [{ "required": ["rectangle"] }, { "required": ["disc"] }, { "required": ["ellipse"] },
-                { "required": ["polygon"] }, { "required": ["curves"] }, { "required": ["naca"] },
-                { "required": ["file"] }, { "required": ["union"] }, { "required": ["intersection"] },
-                { "required": ["difference"] }],
       "properties": {
-        "rectangle": { "$ref": "#/$defs/box", "description": "sides: left, right, bottom, top" },
-        "disc": { "$ref": "#/$defs/disc", "description": "side: circle" },
-        "ellipse": { "$ref": "#/$defs/whole_ellipse", "description": "side: ellipse" },
-        "polygon": { "$ref": "#/$defs/ring", "description": "side: boundary, unless labels are given" },
-        "curves": { "$ref": "#/$defs/path", "description": "sides: boundary, unless pieces have labels" },
-        "naca": { "$ref": "#/$defs/naca", "description": "sides: airfoil, left, right, bottom, top" },
-        "file": { "type": "string", "minLength": 1, "description": "beside or below the case file" },
-        "union": { "$ref": "#/$defs/shapes", "description": "what is in any of them" },
-        "intersection": { "$ref": "#/$defs/shapes", "description": "what is in all of them" },
-        "difference": { "$ref": "#/$defs/shapes", "description": "what is in the first and in none of the others" },
-        "labels": {
-          "anyOf": [
-            { "title": "a list with a name per side of the polygon", "type": "array",
-              "items": { "type": "string", "minLength": 1 } },
-            { "title": "an object side -> new name", "type": "object",
-              "additionalProperties": { "type": "string", "minLength": 1 } }]
-        },
-        "holes": {
-          "type": "array",
-          "items": { "anyOf": [{ "$ref": "#/$defs/ring" }, { "$ref": "#/$defs/hole" }] },
-          "description": "sides: hole1, hole2, ..., unless a label is given"
-        },
         "regions": { "type": "object", "additionalProperties": { "$ref": "#/$defs/point" },
                      "description": "name -> a point in the region" },
         "required": { "type": "array", "items": { "type": "string", "minLength": 1 },
@@ -455,6 +428,17 @@ constexpr const char* kSchema = R"schema({
 
 }  // namespace
 
-nlohmann::ordered_json case_schema() { return nlohmann::ordered_json::parse(kSchema); }
+// What a shape may have, the whole geometry may have too, and more: draft 7 has no way to say so and keep additional
+// properties out.
+nlohmann::ordered_json case_schema() {
+  using Json = nlohmann::ordered_json;
+  Json schema = Json::parse(kSchema);
+  const Json& shape = schema["$defs"]["shape"];
+  Json& geometry = schema["$defs"]["geometry"];
+  const Json own = geometry["properties"];
+  geometry = shape;
+  for (const auto& [name, property] : own.items()) geometry["properties"][name] = property;
+  return schema;
+}
 
 }  // namespace parmesan

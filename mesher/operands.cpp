@@ -144,6 +144,7 @@ bool split_at_near_points(Operands& operands, double tolerance) {
 std::vector<char> faces_inside(const Domain& domain, const Faces& faces) {
   const std::vector<int> layers = layers_of(domain, faces);
   std::vector<char> inside;
+  inside.reserve(layers.size());
   for (const int layer : layers)
     inside.push_back(static_cast<char>(domain.inside == Inside::EvenOdd ? layer % 2 == 1 : layer > 0));
   for (std::size_t i = 0; i < domain.holes.size(); ++i) {

@@ -19,14 +19,7 @@ constexpr std::int32_t inside_face = outside_face + 1;
 
 /// Numbers faces by the constraints between them and infinity: 0 is outside.
 void number_layers(Triangulation& t) {
-  std::vector<EdgeId> open;
-  std::vector<EdgeId> closed;
-  for_each_side(t, [&](EdgeId e) {
-    t.set_left(e, unknown);
-    if (!t.is_inside_right(e)) (t.is_constrained(e) ? closed : open).push_back(e);
-  });
-  std::vector<EdgeId> next = flood(t, std::move(open), unknown, 0);
-  next.insert(next.end(), closed.begin(), closed.end());
+  std::vector<EdgeId> next = flood_from_hull(t, unknown);
   for (std::int32_t layer = 1; !next.empty(); ++layer) next = flood(t, std::move(next), unknown, layer);
 }
 

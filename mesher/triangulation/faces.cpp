@@ -20,14 +20,7 @@ Faces::Faces(const Domain& domain) {
 
 void Faces::number_faces() {
   constexpr std::int32_t unknown = -1;
-  std::vector<EdgeId> open;
-  std::vector<EdgeId> closed;
-  for_each_side(triangulation_, [&](EdgeId e) {
-    triangulation_.set_left(e, unknown);
-    if (!triangulation_.is_inside_right(e)) (triangulation_.is_constrained(e) ? closed : open).push_back(e);
-  });
-  std::vector<EdgeId> pending = flood(triangulation_, std::move(open), unknown, 0);
-  pending.insert(pending.end(), closed.begin(), closed.end());
+  std::vector<EdgeId> pending = flood_from_hull(triangulation_, unknown);
   while (!pending.empty()) {
     const EdgeId e = pending.back();
     pending.pop_back();

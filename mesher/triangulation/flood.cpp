@@ -17,4 +17,16 @@ std::vector<EdgeId> flood(Triangulation& t, std::vector<EdgeId> stack, std::int3
   return beyond;
 }
 
+std::vector<EdgeId> flood_from_hull(Triangulation& t, std::int32_t unknown) {
+  std::vector<EdgeId> open;
+  std::vector<EdgeId> closed;
+  for_each_side(t, [&](EdgeId e) {
+    t.set_left(e, unknown);
+    if (!t.is_inside_right(e)) (t.is_constrained(e) ? closed : open).push_back(e);
+  });
+  std::vector<EdgeId> met = flood(t, std::move(open), unknown, 0);
+  met.insert(met.end(), closed.begin(), closed.end());
+  return met;
+}
+
 }  // namespace parmesan

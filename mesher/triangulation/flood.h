@@ -19,4 +19,7 @@ void for_each_side(const Triangulation& t, F f) {
 /// carry `from`. Returns the edges of constraints met, their unpainted faces on the left.
 std::vector<EdgeId> flood(Triangulation& t, std::vector<EdgeId> stack, std::int32_t from, std::int32_t to);
 
+/// Paints all faces: 0 where the hull is reached without crossing a constraint, `unknown` elsewhere. Returns as flood.
+std::vector<EdgeId> flood_from_hull(Triangulation& t, std::int32_t unknown);
+
 }  // namespace parmesan

@@ -16,7 +16,6 @@ constexpr double font_size = 11.0;
 std::vector<Point> places_of(const std::vector<LabelledEdges>& edges, double width) {
   constexpr double width_of_character = 0.62 * font_size;
   std::vector<Point> places{{0.0, 0.0}};
-  places.reserve(edges.size() + 1);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const double extent = line_length + 24.0 + width_of_character * static_cast<double>(edges[i].name.size());
     Point& place = places.back();
@@ -36,6 +35,7 @@ std::vector<LabelledEdges> labelled_edges(const Mesh& mesh, const View& view) {
     path.line_to(view(mesh.points[static_cast<std::size_t>(mesh.edges[i][1])]));
   }
   std::vector<LabelledEdges> result;
+  result.reserve(paths.size());
   for (auto& [label, path] : paths)
     result.push_back({label_name(mesh.label_names, label), colours[result.size() % colours.size()], std::move(path)});
   return result;
