@@ -17,6 +17,7 @@ namespace {
 
 // The mesher gives a little more or less than was asked.
 constexpr double cap_margin = 0.98;
+constexpr int max_tries = 3;  // to make a mesh within the budget
 
 SizeGoal size_goal(const Targets& targets) {
   SizeGoal goal;
@@ -84,6 +85,8 @@ class Loop {
       add_row();
       decision = decide();
     }
+    if (decision.stop && *decision.stop != StopReason::Interrupted && return_to_met())
+      decision.stop = StopReason::ErrorTarget;
     warn_of_size();
     warn_of_misfits();
     warn_of_nonfinite();
@@ -135,10 +138,27 @@ class Loop {
     const double excess = excess_of(rows.back());
     const bool adapted = rows.size() > 1 || options_.start;
     state_.history.push_back({state_.asked, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
+    remember_if_met();
     const Stopwatch now;
     state_.seconds += lap_.seconds();
     lap_ = now;
     if (options_.observer) options_.observer(state_);
+  }
+
+  void remember_if_met() {
+    const bool is_smaller = !state_.met || state_.last.mesh.num_vertices() < state_.met->mesh.num_vertices();
+    if (goal_.error_targets && state_.history.back().error <= 1.0 && is_smaller) state_.met = state_.last;
+  }
+
+  // A smaller mesh may miss what a larger one before it has met. True: the last row is that one's again.
+  bool return_to_met() {
+    if (!state_.met || state_.is_met) return false;
+    if (state_.history.back().error <= 1.0 && state_.last.mesh.num_vertices() <= state_.met->mesh.num_vertices())
+      return false;
+    state_.last = *state_.met;
+    state_.is_met = true;
+    add_row();
+    return true;
   }
 
   // Where nothing is declared but a goal, what does not cancel out of its error.
@@ -148,6 +168,7 @@ class Loop {
   }
 
   SizeDecision decide() const {
+    if (state_.is_met) return {state_.asked, StopReason::ErrorTarget};
     SizeDecision decision = next_size(state_.history, goal_);
     if (decision.stop) return decision;
     decision.stop = budget_spent();
@@ -210,6 +231,10 @@ class Loop {
 
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
 
+  bool exceeds_budget(const Iterate& iterate) const {
+    return case_.targets.max_vertices && iterate.mesh.num_vertices() > *case_.targets.max_vertices;
+  }
+
   // Recovers, builds the metric for this many vertices, remeshes and solves. False: interrupted.
   bool advance(double asked) {
     const Stopwatch recover;
@@ -225,6 +250,11 @@ class Loop {
     seconds.cpu += recover.cpu_seconds();
     if (interrupted()) return false;
     Iterate next = remesh(case_, state_.last, *derivatives.mesh, metric, derivatives.signed_field.get());
+    for (int tries = 1; exceeds_budget(next) && tries < max_tries; ++tries) {
+      request.complexity *= cap_margin * static_cast<double>(*case_.targets.max_vertices) / next.mesh.num_vertices();
+      next = remesh(case_, state_.last, *derivatives.mesh, next_metric(derivatives, request),
+                    derivatives.signed_field.get());
+    }
     if (interrupted()) return false;
     compute_values(case_, next, &state_.last);
     if (interrupted()) return false;

@@ -134,7 +134,7 @@ void fields(Archive& archive, Summary& s) {
 
 template <class Archive>
 void fields(Archive& archive, LoopState& s) {
-  archive(s.last, s.asked, s.unchanged, s.limits_bind, s.seconds, s.history, s.limit, s.summary);
+  archive(s.last, s.met, s.is_met, s.asked, s.unchanged, s.limits_bind, s.seconds, s.history, s.limit, s.summary);
 }
 
 namespace {
@@ -142,7 +142,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Bytes in another order or another layout of the fields have another number here.
-constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'04;
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'05;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
 
 void check_mesh(const Mesh& mesh) {
@@ -191,6 +191,8 @@ bool is_sound(const SizeStep& step) {
 void check(const LoopState& state) {
   check_mesh(state.last.mesh);
   if (state.last.relaxed) check_mesh(*state.last.relaxed);
+  if (state.met) check_mesh(state.met->mesh);
+  if (state.met && state.met->relaxed) check_mesh(*state.met->relaxed);
   const bool agrees = is_sound(state.last) && is_sound(state.summary) && std::isfinite(state.asked) &&
                       std::isfinite(state.seconds) && !state.history.empty() &&
                       state.history.size() == state.summary.iterations.size() &&

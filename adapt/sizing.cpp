@@ -11,6 +11,7 @@ constexpr double same_size = 1.25;  // sizes within this factor count as one run
 constexpr double max_growth = 4.0;
 constexpr double careful_max_growth = 2.0;
 constexpr double resolving_order = 1.5;  // an error that falls faster says that meshes only begin to resolve
+constexpr double growth_of_trust = 4.0;  // that an observed order needs to count as much as theory's order 1
 constexpr double margin = 0.02;          // on a predicted size, doubled after each pass that missed by a little
 constexpr double early_gain = 1.2;       // a pass that gained more was not the last that would have
 constexpr double careful_growth = 1.5;   // a prediction beyond is approached from below
@@ -73,14 +74,24 @@ int near_misses(std::span<const SizeStep> history) {
       std::count_if(rung.begin(), rung.end(), [](const SizeStep& s) { return s.adapted && s.error <= same_size; }));
 }
 
-// Between the last passes at the last two sizes; 1 when there is only one size.
-double order_seen(std::span<const SizeStep> history) {
+// Between the last passes at the last two sizes; nothing when there is only one size.
+struct Fall {
+  double error = 0.0;  // ln of the ratio
+  double size = 0.0;
+};
+
+Fall fall_seen(std::span<const SizeStep> history) {
   const std::size_t first = rung_start(history);
-  if (first == 0) return 1.0;
+  if (first == 0) return {};
   const SizeStep& before = history[first - 1];
   const SizeStep& now = history.back();
-  if (!before.adapted || now.vertices <= before.vertices) return 1.0;
-  return std::log(before.error / now.error) / std::log(now.vertices / before.vertices);
+  if (!before.adapted || now.vertices <= before.vertices) return {};
+  return {std::log(before.error / now.error), std::log(now.vertices / before.vertices)};
+}
+
+bool only_begins_to_resolve(std::span<const SizeStep> history) {
+  const Fall fall = fall_seen(history);
+  return fall.error > resolving_order * fall.size;
 }
 
 // Whether the size before was left while passes still gained.
@@ -90,7 +101,7 @@ bool came_early(std::span<const SizeStep> history) {
 }
 
 double largest_growth(std::span<const SizeStep> history) {
-  return order_seen(history) > resolving_order || came_early(history) ? careful_max_growth : max_growth;
+  return only_begins_to_resolve(history) || came_early(history) ? careful_max_growth : max_growth;
 }
 
 double wanted_size(std::span<const SizeStep> history, const SizeGoal& goal) {
@@ -128,7 +139,11 @@ double predicted_vertices(double vertices, double error, double target, double o
   return vertices * std::pow(error / target, 1.0 / order);
 }
 
-double observed_order(std::span<const SizeStep> history) { return std::clamp(order_seen(history), 0.4, 1.1); }
+double observed_order(std::span<const SizeStep> history) {
+  static const double theory = std::log(growth_of_trust);
+  const Fall fall = fall_seen(history);
+  return std::clamp((fall.error + theory) / (fall.size + theory), 0.4, 1.1);
+}
 
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) {
   const SizeStep& last = history.back();

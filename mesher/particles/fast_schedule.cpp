@@ -35,7 +35,7 @@ class FastSchedule {
   void run();
 
  private:
-  int rounds_needed() const;
+  bool is_settled() const;
   void match_population();
   void mend_population();
   void relax(const Blocks& blocks, int sweeps, SweepOptions sweep_options);
@@ -49,14 +49,11 @@ class FastSchedule {
   int sweeps_done_ = 0;
 };
 
-int FastSchedule::rounds_needed() const {
-  constexpr double settled_demand = 0.012;  // measured: below it relaxation gains more than population
-  constexpr double small_demand = 0.03;     // the first round meets it, if it is not for density
-  constexpr double right_area = 0.02;
-  const double demand = population_demand(particles_, rules_);
-  if (demand < settled_demand && options_.may_be_settled) return 0;
-  const bool is_near = demand < small_demand && std::abs(area_per_particle(particles_) - 1.0) < right_area;
-  return is_near ? std::min(1, options_.rounds) : options_.rounds;
+bool FastSchedule::is_settled() const {
+  constexpr double small_demand = 0.012;  // measured: below it relaxation gains more than population
+  constexpr double right_area = 0.04;
+  return options_.may_be_settled && std::abs(area_per_particle(particles_) - 1.0) < right_area &&
+         population_demand(particles_, rules_) < small_demand;
 }
 
 void FastSchedule::match_population() {
@@ -71,6 +68,7 @@ void FastSchedule::match_population() {
     const int annihilated = annihilate_particles(particles_, rules_);
     if (annihilated <= settled * particles_.mesh().num_vertices()) break;
   }
+  match_density(particles_, rules_, options_.max_vertices);
   boundary_.match_counts(particles_);
 }
 
@@ -93,8 +91,8 @@ void FastSchedule::relax(const Blocks& blocks, int sweeps, SweepOptions sweep_op
 // at its vertices, would only lose that by moving where the metric is not resolved.
 void FastSchedule::run() {
   flip_all(particles_);
-  const int rounds = rounds_needed();
-  const bool settled = rounds == 0;
+  const bool settled = is_settled();
+  const int rounds = settled ? 0 : options_.rounds;
   const double momentum = settled ? 0.0 : options_.momentum;
   if (settled) mend_population();
   for (int round = 0; round < rounds; ++round) {

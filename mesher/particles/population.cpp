@@ -1,6 +1,7 @@
 #include "mesher/particles/population.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -52,6 +53,17 @@ double quality_of_halves(const ParticleSystem& particles, EdgeId e, const Point&
   return smallest;
 }
 
+bool is_resolved_at(const ParticleSystem& particles, VertexId v) {
+  Star star;
+  star.gather(particles, v);
+  return star.is_resolved(particles.mesh().point(v), particles.metric(v));
+}
+
+bool is_resolved_at(const ParticleSystem& particles, EdgeId e) {
+  const Triangulation& mesh = particles.mesh();
+  return is_resolved_at(particles, mesh.org(e)) && is_resolved_at(particles, mesh.dest(e));
+}
+
 struct LongEdge {
   double squared_length;
   EdgeId edge;
@@ -66,6 +78,7 @@ std::vector<LongEdge> long_edges(const ParticleSystem& particles, const Populati
     for (auto q = static_cast<std::int32_t>(first); q < static_cast<std::int32_t>(last); ++q) {
       const EdgeId e{4 * q};
       if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) continue;
+      if (rules.only_resolved && !is_resolved_at(particles, e)) continue;
       of_range.push_back({squared_edge_length(particles, e), e, mesh.org(e), mesh.dest(e)});
     }
   });
@@ -105,6 +118,7 @@ int create_particles(ParticleSystem& particles, const PopulationRules& rules, st
   std::vector<EdgeId> stack;
   int created = 0;
   for (const LongEdge& found : long_edges(particles, rules)) {
+    if (created == rules.most) break;
     const EdgeId e = found.edge;
     const bool unchanged = mesh.org(e) == found.org && mesh.dest(e) == found.dest;
     if (!unchanged || !is_too_long(particles, e, rules)) continue;
@@ -190,16 +204,48 @@ void annihilate_particle(ParticleSystem& particles, const Star& star, VertexId v
   }
 }
 
+bool is_limited(const PopulationRules& rules) { return rules.most < std::numeric_limits<int>::max(); }
+
+// Of a star over that of the rule.
+double relative_area(const ParticleSystem& particles, const Star& star, VertexId v) {
+  const auto n = static_cast<double>(star.size());
+  return star.metric_area(particles.mesh().point(v), particles.metric(v)) / std::sqrt(n * (n - 2.0));
+}
+
+struct Superfluous {
+  double area = 0.0;
+  VertexId particle = no_vertex;
+};
+
+// In the order of their numbers, or the smallest stars first where only some may go.
+std::vector<Superfluous> superfluous_particles(const ParticleSystem& particles, const PopulationRules& rules) {
+  const auto selects = [&](const Star& star, VertexId v) {
+    return is_superfluous(particles, star, v, rules) &&
+           (!rules.only_resolved || star.is_resolved(particles.mesh().point(v), particles.metric(v)));
+  };
+  std::vector<Superfluous> found;
+  Star star;
+  for (const VertexId v : select_free_particles(particles, selects)) {
+    star.gather(particles, v);
+    found.push_back({is_limited(rules) ? relative_area(particles, star, v) : 0.0, v});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Superfluous& a, const Superfluous& b) { return a.area < b.area; });
+  return found;
+}
+
 }  // namespace
 
 int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules) {
   Star star;
   std::vector<EdgeId> changed;
   int annihilated = 0;
-  const auto selects = [&](const Star& around, VertexId v) { return is_superfluous(particles, around, v, rules); };
-  for (const VertexId v : select_free_particles(particles, selects)) {
+  for (const Superfluous& found : superfluous_particles(particles, rules)) {
+    if (annihilated == rules.most) break;
+    const VertexId v = found.particle;
     star.gather(particles, v);
     if (!is_superfluous(particles, star, v, rules)) continue;  // since a neighbour went
+    if (is_limited(rules) && relative_area(particles, star, v) > found.area) continue;
     annihilate_particle(particles, star, v, rules.annihilation, changed);
     if (changed.empty()) continue;
     legalize(particles, changed, 100);
@@ -210,10 +256,12 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 
 namespace {
 
-// The sum of demand(i) over every n-th of the numbers below size, times n: enough of them for a share.
+constexpr std::int32_t enough_for_shares = 20000;
+constexpr std::int32_t enough_for_means = 5000;
+
+// The sum of demand(i) over every n-th of the numbers below size, times n, of at least as many as the sample.
 template <class F>
-double estimated_sum(std::int32_t size, F demand) {
-  constexpr std::int32_t sample = 20000;
+double estimated_sum(std::int32_t size, std::int32_t sample, F demand) {
   const std::int32_t stride = std::max(1, size / sample);
   const auto count = static_cast<std::size_t>((size + stride - 1) / stride);
   const auto sums = collect<double>(count, [&](std::size_t first, std::size_t last, std::vector<double>& sum) {
@@ -221,12 +269,6 @@ double estimated_sum(std::int32_t size, F demand) {
     for (std::size_t i = first; i < last; ++i) sum.back() += demand(static_cast<std::int32_t>(i) * stride);
   });
   return stride * std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
-bool is_resolved_at(const ParticleSystem& particles, VertexId v) {
-  Star star;
-  star.gather(particles, v);
-  return star.is_resolved(particles.mesh().point(v), particles.metric(v));
 }
 
 double demand_of_star(const ParticleSystem& particles, VertexId v, const PopulationRules& rules) {
@@ -242,32 +284,64 @@ double demand_of_edge(const ParticleSystem& particles, std::int32_t q, const Pop
   const EdgeId e{4 * q};
   if (!mesh.is_alive(q) || !is_too_long(particles, e, rules)) return 0.0;
   if (is_too_long(particles, e, outlier_rules)) return squared_edge_length(particles, e);
-  return is_resolved_at(particles, mesh.org(e)) && is_resolved_at(particles, mesh.dest(e)) ? 1.0 : 0.0;
+  return is_resolved_at(particles, e) ? 1.0 : 0.0;
 }
 
 }  // namespace
 
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules) {
   const Triangulation& mesh = particles.mesh();
-  const double of_stars =
-      estimated_sum(mesh.num_slots(), [&](std::int32_t v) { return demand_of_star(particles, v, rules); });
-  const double of_edges =
-      estimated_sum(mesh.size(), [&](std::int32_t q) { return demand_of_edge(particles, q, rules); });
+  const double of_stars = estimated_sum(mesh.num_slots(), enough_for_shares,
+                                        [&](std::int32_t v) { return demand_of_star(particles, v, rules); });
+  const double of_edges = estimated_sum(mesh.size(), enough_for_shares,
+                                        [&](std::int32_t q) { return demand_of_edge(particles, q, rules); });
   return (of_stars + of_edges) / mesh.num_vertices();
 }
 
+namespace {
+
+// What the rules leave free is measured, and put right, where the metric is resolved.
+struct Density {
+  double area = 1.0;   // per particle, over that of a unit mesh
+  double count = 0.0;  // of the particles
+};
+
 // A triangle is in three stars.
-double area_per_particle(const ParticleSystem& particles) {
+Density measure_density(const ParticleSystem& particles) {
+  constexpr double unit_area = 0.5 * std::numbers::sqrt3;
   const Triangulation& mesh = particles.mesh();
-  const auto is_free = [&](VertexId v) { return mesh.has_vertex(v) && particles.is_free(v); };
-  const double count = estimated_sum(mesh.num_slots(), [&](VertexId v) { return is_free(v) ? 1.0 : 0.0; });
-  const double stars = estimated_sum(mesh.num_slots(), [&](VertexId v) {
-    if (!is_free(v)) return 0.0;
+  const auto is_counted = [&](VertexId v) {
+    return mesh.has_vertex(v) && particles.is_free(v) && is_resolved_at(particles, v);
+  };
+  const double count =
+      estimated_sum(mesh.num_slots(), enough_for_means, [&](VertexId v) { return is_counted(v) ? 1.0 : 0.0; });
+  const double stars = estimated_sum(mesh.num_slots(), enough_for_means, [&](VertexId v) {
+    if (!is_counted(v)) return 0.0;
     Star star;
     star.gather(particles, v);
     return star.metric_area(mesh.point(v), particles.metric(v));
   });
-  return count > 0.0 ? stars / (3.0 * count * 0.5 * std::numbers::sqrt3) : 1.0;
+  return count > 0.0 ? Density{stars / (3.0 * count * unit_area), count} : Density{};
+}
+
+}  // namespace
+
+double area_per_particle(const ParticleSystem& particles) { return measure_density(particles).area; }
+
+void match_density(ParticleSystem& particles, PopulationRules rules, std::int64_t max_vertices) {
+  constexpr double close = 0.03;  // nearer than that relaxation gains more by being left alone
+  const auto [area, count] = measure_density(particles);
+  if (std::abs(area - 1.0) < close) return;
+  rules.long_edge = 1.0;
+  rules.short_edge = 0.7;
+  rules.area_slack = -0.3;
+  rules.only_resolved = true;
+  rules.most = static_cast<int>(std::abs(area - 1.0) * count);
+  if (area > 1.0) {
+    create_particles(particles, rules, max_vertices);
+  } else {
+    annihilate_particles(particles, rules);
+  }
 }
 
 }  // namespace parmesan

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "mesher/particles/particle_options.h"
 #include "mesher/particles/particle_system.h"
 
@@ -7,9 +10,11 @@ namespace parmesan {
 
 /// When particles come and go: the area rules of thesis 3.4.2, met by a margin, and limits on lengths; and how.
 struct PopulationRules {
-  double long_edge = 1.2;    // shorter ones are not split
-  double short_edge = 0.6;   // half of it: creation never makes what annihilation takes away
-  double area_slack = 0.05;  // margin of both area rules, for the same reason
+  double long_edge = 1.2;                      // shorter ones are not split
+  double short_edge = 0.6;                     // half of it: creation never makes what annihilation takes away
+  double area_slack = 0.05;                    // margin of both area rules, for the same reason
+  bool only_resolved = false;                  // leave alone what lies where the metric is not (Star::is_resolved)
+  int most = std::numeric_limits<int>::max();  // to create or annihilate: longest edges, smallest stars first
   bool virtual_triangles = true;
   CreationPlace creation = CreationPlace::EdgeMidpoint;
   Annihilation annihilation = Annihilation::Collapse;
@@ -35,8 +40,13 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
 /// Area of the mesh in the metric per particle over that of a unit mesh, sqrt3 / 2: above 1 there are too few
-/// particles, though each edge alone may be within the rules. Estimated like the demand, boundaries aside.
+/// particles, though each edge alone may be within the rules. Boundaries, and places where the metric is not resolved,
+/// aside; estimated from every n-th of more than 5000 particles, to 0.2 %.
 double area_per_particle(const ParticleSystem& particles);
+
+/// Splits the longest edges, or annihilates the particles with the smallest stars, that the rules let be, until the
+/// area per particle is that of a unit mesh: the rules leave it free by 15 %. Does nothing within 3 %.
+void match_density(ParticleSystem& particles, PopulationRules rules, std::int64_t max_vertices);
 
 /// Would collapsing e keep the constrained edges apart? Two of them would become one if they are the other sides of a
 /// triangle beside e, inside the domain or a hole. That happens on curves only. Cost: O(1).

@@ -81,6 +81,28 @@ TEST_CASE("a target beyond the vertex budget is missed and the budget kept", "[a
   for (const IterationRow& row : run.summary.iterations) CHECK(row.vertices <= 400);
 }
 
+TEST_CASE("a loop that has met its targets ends with a mesh that meets them, the smallest", "[adapt][loop]") {
+  bool has_returned = false;
+  for (int most = 5; most <= 12; ++most) {
+    const Case input = interpolation_case("tanh(20*(x - y^2))",
+                                          R"({"linf_error": 0.01, "max_iterations": )" + std::to_string(most) + "}");
+    const LoopResult run = adapt(input, {});
+    const std::vector<IterationRow>& rows = run.summary.iterations;
+    const auto meets = [&](const IterationRow& row) { return row.interpolation_error->linf <= 0.01; };
+    if (std::none_of(rows.begin(), rows.end(), meets)) continue;
+    CAPTURE(most);
+    CHECK(run.summary.stop_reason == StopReason::ErrorTarget);
+    CHECK(run.summary.targets_met);
+    REQUIRE(meets(rows.back()));
+    for (const IterationRow& row : rows) {
+      if (meets(row)) CHECK(rows.back().vertices <= row.vertices);
+    }
+    CHECK(run.last.mesh.points.size() == static_cast<std::size_t>(rows.back().vertices));
+    has_returned = has_returned || !meets(rows[rows.size() - 2]);
+  }
+  CHECK(has_returned);
+}
+
 TEST_CASE("the loop ends with its iterations or its time", "[adapt][loop]") {
   const std::string function = "sin(6*x)*y^2";
   const LoopResult few = adapt(interpolation_case(function, R"({"l2_error": 1e-7, "max_iterations": 2})"), {});

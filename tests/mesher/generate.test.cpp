@@ -142,6 +142,20 @@ TEST_CASE("a size larger than the domain gives the coarsest conforming mesh", "[
   CHECK(mesh.num_vertices() <= 20);
 }
 
+TEST_CASE("a mesh has the size that its metric asks for, from any previous one", "[mesher][generate]") {
+  // By Euler's formula and with unit triangles: N = 2 / sqrt3 C + B / 2 + 1, B the vertices on the boundary.
+  const Domain domain = support::unit_square();
+  const Mesh previous = generate(domain, circular_front(0.05, 0.03)).mesh;
+  for (const double refinement : {0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3, 1.6, 2.5}) {
+    const GenerateResult made =
+        generate(domain, circular_front(0.05, 0.03 / std::sqrt(refinement)), {.preset = Preset::Good}, &previous);
+    const auto on_boundary = static_cast<double>(made.mesh.edges.size());
+    const double expected = 2.0 / std::sqrt(3.0) * made.report.complexity + 0.5 * on_boundary + 1.0;
+    CAPTURE(refinement, made.mesh.points.size(), expected, made.report.start_reason);
+    CHECK(static_cast<double>(made.mesh.points.size()) == Approx(expected).epsilon(0.04));
+  }
+}
+
 TEST_CASE("a previous mesh of another domain is not used, and that is said", "[mesher][generate]") {
   const ConstantField field(Metric::isotropic(0.2));
   const Mesh other = generate(support::square_with_everything(), field).mesh;
