@@ -224,10 +224,12 @@ std::vector<Superfluous> superfluous_particles(const ParticleSystem& particles, 
            (!rules.only_resolved || star.is_resolved(particles.mesh().point(v), particles.metric(v)));
   };
   std::vector<Superfluous> found;
+  for (const VertexId v : select_free_particles(particles, selects)) found.push_back({.particle = v});
+  if (!is_limited(rules)) return found;
   Star star;
-  for (const VertexId v : select_free_particles(particles, selects)) {
-    star.gather(particles, v);
-    found.push_back({is_limited(rules) ? relative_area(particles, star, v) : 0.0, v});
+  for (Superfluous& one : found) {
+    star.gather(particles, one.particle);
+    one.area = relative_area(particles, star, one.particle);
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Superfluous& a, const Superfluous& b) { return a.area < b.area; });

@@ -51,7 +51,7 @@ TEST_CASE("every choice of forces and of how particles come and go gives a good 
     double unit_edges = 0.0;
     for (const double scale : scales) {
       const GenerateResult made = generate(domain, curved_layer(scale), options);
-      CHECK(oracle::problems_of(made.mesh) == std::vector<std::string>{});
+      CHECK(oracle::problems_of(made.mesh).empty());
       CHECK(oracle::area_of(made.mesh) == Approx(1.0 - 0.0625 - 0.0025).epsilon(0.02));
       const MeshQuality quality = measure_quality(made.mesh, made.metrics);
       unit_edges += quality.unit_edges / static_cast<double>(scales.size());
