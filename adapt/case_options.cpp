@@ -198,11 +198,10 @@ void check_schedule(CaseReading& reading, const GenerateOptions& mesher) {
 
 void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   GenerateOptions& mesher = result.mesher;
-  if (section["schedule"] == "thesis") mesher.schedule = Schedule::Thesis;
+  mesher.schedule = named(section, "schedule", schedule_names);
   mesher.particles = read_particles(section["particles"]);
   check_schedule(reading, mesher);
-  const Json& preset = section["preset"];
-  mesher.preset = preset == "fast" ? Preset::Fast : (preset == "mid" ? Preset::Mid : Preset::Good);
+  mesher.preset = named(section, "preset", preset_names);
   mesher.chord_error = section["chord_error"].get<double>();
   mesher.seed = static_cast<std::uint64_t>(section["seed"].get<double>());
   result.lower_error = section["lower_error"].get<bool>();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +23,11 @@ enum class Preset { Fast, Mid, Good };
 
 /// How particles are brought to equilibrium: sweep by sweep, or as the thesis does it, pick by pick.
 enum class Schedule { Fast, Thesis };
+
+inline constexpr std::array<OptionName<Preset>, 3> preset_names{
+    {{"fast", Preset::Fast}, {"mid", Preset::Mid}, {"good", Preset::Good}}};
+inline constexpr std::array<OptionName<Schedule>, 2> schedule_names{
+    {{"fast", Schedule::Fast}, {"thesis", Schedule::Thesis}}};
 
 /// How generate works. Every field has a default that suits most meshes.
 struct GenerateOptions {

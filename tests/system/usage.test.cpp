@@ -41,6 +41,37 @@ TEST_CASE("wrong usage ends with 2 and one message on standard error", "[system]
   CHECK_THAT(result.err, Catch::Contains("--help"));
 }
 
+TEST_CASE("a wrong name on the command line gets the nearest one, and the list of those that are short",
+          "[system][usage][errors]") {
+  struct Slip {
+    std::vector<std::string> arguments;
+    std::string message;
+  };
+  const std::vector<std::string> mesh{"mesh", "a.poly", "-o", "a.mesh"};
+  const auto mesh_with = [&mesh](const std::string& option, const std::string& value) {
+    std::vector<std::string> all = mesh;
+    all.insert(all.end(), {option, value});
+    return all;
+  };
+  const Slip slip = GENERATE_COPY(values<Slip>({
+      {mesh_with("--preset", "godo"), "--preset: 'godo' is none of 'fast', 'mid', 'good'; did you mean 'good'?"},
+      {mesh_with("--preset", "2"), "--preset: '2' is none of 'fast', 'mid', 'good'\n"},
+      {mesh_with("--potential", "lenard-jones"), "'ratio-error'; did you mean 'lennard-jones'?"},
+      {mesh_with("--schedule", "theses"), "'thesis'; did you mean 'thesis'?"},
+      {mesh_with("--limit", "vertexes=3"), "'seconds'; did you mean 'vertices'?"},
+      {mesh_with("--require", "units=x"), "'quality'; did you mean 'unit'?"},
+      {mesh_with("--voronio", "a.svg"), "unknown option '--voronio'; did you mean '--voronoi'?"},
+      {{"mesh", "a.poly", "--siez=0.1"}, "unknown option '--siez'; did you mean '--size'?"},  // not: --out is missing
+      {{"mehs", "a.poly", "-o", "a.mesh"}, "'mehs' is none of 'run', 'compare', 'mesh'"},
+      {{"mehs", "a.poly"}, "did you mean 'mesh'?"},
+      {{"--versoin"}, "unknown option '--versoin'; did you mean '--version'?"},
+  }));
+  const ProgramResult result = run_program(slip.arguments);
+  INFO(result.err);
+  CHECK(result.exit_code == 2);
+  CHECK_THAT(result.err, Catch::Contains(slip.message));
+}
+
 TEST_CASE("control characters of names do not reach the terminal", "[system][usage][errors]") {
   const ProgramResult result = run_program({"check",
                                             "no\x1b[31msuch\x07"

@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <charconv>
 #include <string_view>
 
+#include "tools/cli/choice.h"
 #include "tools/cli/exit_code.h"
 
 #ifdef _OPENMP
@@ -28,17 +30,11 @@ std::optional<T> parse_number(const std::string& text) {
 }
 
 void set_limit(Limits& limits, const std::string& text) {
+  constexpr std::array<OptionName<std::int64_t Limits::*>, 3> names{
+      {{"vertices", &Limits::vertices}, {"memory_mb", &Limits::memory_mb}, {"seconds", &Limits::seconds}}};
   const NameValue pair = split_name_value(text, "--limit");
-  const std::int64_t value = parse_positive_integer(pair.value, "--limit " + pair.name);
-  if (pair.name == "vertices") {
-    limits.vertices = value;
-  } else if (pair.name == "memory_mb") {
-    limits.memory_mb = value;
-  } else if (pair.name == "seconds") {
-    limits.seconds = value;
-  } else {
-    throw CLI::ValidationError("--limit", "'" + pair.name + "' is none of vertices, memory_mb, seconds");
-  }
+  std::int64_t Limits::*const limit = choose("--limit", pair.name, names);
+  limits.*limit = parse_positive_integer(pair.value, "--limit " + pair.name);
 }
 
 // With their stacks, threads that are started later would not fit into a small limit, which OpenMP reports by ending

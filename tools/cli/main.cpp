@@ -19,6 +19,7 @@
 #include "mesher/errors.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/exit_code.h"
+#include "tools/cli/usage_error.h"
 #include "tools/cli/version.h"
 
 namespace {
@@ -60,23 +61,6 @@ void open_standard_streams() {
   std::abort();
 }
 
-// What CLI11 says when no subcommand is recognised does not name the word that is wrong.
-std::string explain(const CLI::App& program, const CLI::ParseError& error, const char* first_word) {
-  if (!program.get_subcommands().empty() || first_word == nullptr || *first_word == '-') return error.what();
-  std::string names;
-  for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; })) {
-    names += (names.empty() ? "" : ", ") + app->get_name();
-  }
-  return "'" + std::string(first_word) + "' is none of the subcommands " + names;
-}
-
-parmesan::ExitCode usage_error(const CLI::App& program, const CLI::ParseError& error, const char* first_word) {
-  const auto chosen = program.get_subcommands();
-  const std::string name = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-  parmesan::print_error(explain(program, error, first_word) + "\nsee: parmesan " + name + "--help");
-  return parmesan::ExitCode::Usage;
-}
-
 // A pipe that was closed or a full disk shows when the last bytes are written.
 parmesan::ExitCode flush_results(parmesan::ExitCode code) {
   if (std::cout.flush()) return code;
@@ -96,7 +80,7 @@ parmesan::ExitCode run_program(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return usage_error(program, error, argv[argc > 1 ? 1 : argc]);
+    if (error.get_exit_code() != 0) return parmesan::report_usage_error(program, error);
     program.exit(error);  // help or version
     return flush_results(parmesan::ExitCode::Done);
   }

@@ -1,5 +1,5 @@
+#include <array>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -22,6 +22,7 @@
 #include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
 #include "mesher/triangulation/voronoi.h"
+#include "tools/cli/choice.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/domain_input.h"
@@ -54,15 +55,11 @@ struct MeshArguments {
 };
 
 void set_requirement(Requirements& requirements, const std::string& text) {
+  constexpr std::array<OptionName<double Requirements::*>, 2> names{
+      {{"unit", &Requirements::unit_edges}, {"quality", &Requirements::quality}}};
   const NameValue pair = split_name_value(text, "--require");
-  const double value = parse_share(pair.value, "--require " + pair.name);
-  if (pair.name == "unit") {
-    requirements.unit_edges = value;
-  } else if (pair.name == "quality") {
-    requirements.quality = value;
-  } else {
-    throw CLI::ValidationError("--require", "'" + pair.name + "' is none of unit, quality");
-  }
+  double Requirements::*const least = choose("--require", pair.name, names);
+  requirements.*least = parse_share(pair.value, "--require " + pair.name);
 }
 
 /// The metric asked for, the same turned along boundaries, the Hessian of a function whose error is to be lowered, and
@@ -238,13 +235,10 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
       ->needs(indicator)
       ->check(CLI::Range(0.1, 10.0))
       ->option_text("Q");
-  const std::map<std::string, MetricInterpolation> interpolations{{"log-euclidean", MetricInterpolation::LogEuclidean},
-                                                                  {"linear", MetricInterpolation::Linear}};
-  app.add_option("--interpolation", arguments.interpolation,
-                 "Of the background's metric: log-euclidean or linear [log-euclidean]")
-      ->transform(CLI::CheckedTransformer(interpolations))
-      ->needs(background)
-      ->option_text("NAME");
+  constexpr std::array<OptionName<MetricInterpolation>, 2> interpolations{
+      {{"log-euclidean", MetricInterpolation::LogEuclidean}, {"linear", MetricInterpolation::Linear}}};
+  add_choice(app, "--interpolation", arguments.interpolation, interpolations, "Of the background's metric")
+      ->needs(background);
   app.add_option("--lower-error", arguments.hessian,
                  "Last, lower the L2 error of a function whose second derivatives these are, a Medit tensor field at "
                  "the background's vertices")
@@ -261,10 +255,7 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
 }
 
 void add_mesher_options(CLI::App& app, MeshArguments& arguments) {
-  const std::map<std::string, Preset> presets{{"fast", Preset::Fast}, {"mid", Preset::Mid}, {"good", Preset::Good}};
-  app.add_option("--preset", arguments.mesher.preset, "How much relaxation: fast, mid or good [good]")
-      ->transform(CLI::CheckedTransformer(presets))
-      ->option_text("NAME");
+  add_choice(app, "--preset", arguments.mesher.preset, preset_names, "How much relaxation");
   app.add_option_function<std::vector<std::string>>(
          "--require",
          [&arguments](const std::vector<std::string>& texts) {
