@@ -6,31 +6,42 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/io/hanging_vertices.h"
 #include "mesher/mesh_sides.h"
 
 namespace parmesan {
 
-void cover_boundary(Mesh& mesh) {
+namespace {
+
+/// All of them, by their ends.
+std::vector<BoundarySide> boundary_sides(const Mesh& mesh) {
   std::mutex mutex;
-  std::vector<std::array<int, 2>> missing;
-  std::vector<int> wrong;
+  std::vector<BoundarySide> sides;
   for_each_side(mesh, [&](const MeshSide& side) {
     if (!side.is_boundary()) return;
     const bool goes_down = side.left < 0;
-    if (side.edge >= 0 && side.edge_goes_down == goes_down) return;
+    const auto [from, to] = goes_down ? std::pair(side.high, side.low) : std::pair(side.low, side.high);
     const std::lock_guard lock(mutex);
-    if (side.edge >= 0) {
-      wrong.push_back(side.edge);
-    } else {
-      missing.push_back(goes_down ? std::array{side.high, side.low} : std::array{side.low, side.high});
-    }
+    sides.push_back({from, to, goes_down ? side.right : side.left, side.edge});
   });
-  for (const int edge : wrong) {
-    auto& [a, b] = mesh.edges[static_cast<std::size_t>(edge)];
-    std::swap(a, b);
+  std::ranges::sort(sides, {}, [](const BoundarySide& side) { return std::pair(side.from, side.to); });
+  return sides;
+}
+
+}  // namespace
+
+void cover_boundary(Mesh& mesh) {
+  const std::vector<BoundarySide> sides = boundary_sides(mesh);
+  if (std::ranges::any_of(sides, [](const BoundarySide& side) { return side.edge < 0; }))
+    refuse_hanging_vertices(mesh.points, sides);
+  for (const BoundarySide& side : sides) {
+    const std::array ends{side.from, side.to};
+    if (side.edge < 0) {
+      mesh.edges.push_back(ends);
+    } else {
+      mesh.edges[static_cast<std::size_t>(side.edge)] = ends;
+    }
   }
-  std::sort(missing.begin(), missing.end());
-  mesh.edges.insert(mesh.edges.end(), missing.begin(), missing.end());
   mesh.labels.resize(mesh.edges.size(), 0);
 }
 

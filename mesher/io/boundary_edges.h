@@ -6,7 +6,8 @@ namespace parmesan {
 
 /// Gives each boundary side without an edge one with label 0, and turns boundary edges that have the domain to their
 /// right: many programs write only the lines that were named, in any direction. The edges added come last, sorted.
-/// Indices must be in range. Errors: GeometryError for triangles that overlap (see sides_of). Cost: O(n).
+/// Indices must be in range. Errors: GeometryError for triangles that overlap (see sides_of), and for
+/// vertices that hang where sides have no edge. Cost: O(n), and O(b log b) for b boundary sides.
 void cover_boundary(Mesh& mesh);
 
 }  // namespace parmesan

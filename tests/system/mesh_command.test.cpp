@@ -208,6 +208,21 @@ TEST_CASE("memory that ends at any time ends with 8, and nothing is written", "[
 #endif
 }
 
+TEST_CASE("quality refuses a mesh with a vertex that hangs, and says where", "[system][quality][errors]") {
+  const TemporaryFolder folder;
+  const std::string mesh =
+      folder.write("hanging.mesh",
+                   "MeshVersionFormatted 2\nDimension 2\nVertices 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n"
+                   "Triangles 3\n1 2 5 0\n2 3 5 0\n1 3 4 0\nEnd\n");
+  const ProgramResult result = run_program({"quality", mesh});
+  CHECK(result.exit_code == 4);
+  CHECK_THAT(result.err, Catch::Contains("point 4 at (0.5, 0.5) hangs") && Catch::Contains("triangle 2"));
+  folder.write("u.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 5\n1 1\n0\n0\n1\n0\n1\nEnd\n");
+  const std::string given = folder.write("case.json", R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+        "problem": {"interpolate": {"file": "u.sol", "mesh": "hanging.mesh"}}})");
+  CHECK_THAT(run_program({"check", given}).err, Catch::Contains("hangs"));
+}
+
 TEST_CASE("mesh says nothing of a metric that is satisfied, and from what it started", "[system][mesh]") {
   const TemporaryFolder folder;
   const std::string square = folder.write("square.poly", square_poly);
