@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <new>
 
 #include "mesher/errors.h"
 #include "mesher/io/output_file.h"
@@ -19,12 +20,21 @@ struct Deleter {
 using Surface = std::unique_ptr<cairo_surface_t, Deleter>;
 using Context = std::unique_ptr<cairo_t, Deleter>;
 
+/// Errors: std::bad_alloc, or InputError for what else Cairo could not do.
+void require_success(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw InputError(std::string("no PNG picture: ") + cairo_status_to_string(status));
+}
+
 class CairoCanvas : public Canvas {
  public:
   CairoCanvas(cairo_surface_t* surface, double resolution) : context_(cairo_create(surface)) {
     cairo_scale(pen(), resolution, resolution);
     cairo_set_line_join(pen(), CAIRO_LINE_JOIN_ROUND);
   }
+
+  cairo_status_t status() const { return cairo_status(pen()); }
 
   // Polygon by polygon: as one path their inner sides would have to be found and cancelled.
   void fill(const PicturePath& path, const std::string& colour) override {
@@ -102,6 +112,8 @@ cairo_status_t append(void* file, const unsigned char* bytes, unsigned int count
     return CAIRO_STATUS_SUCCESS;
   } catch (const FileError&) {
     return CAIRO_STATUS_WRITE_ERROR;
+  } catch (const std::bad_alloc&) {
+    return CAIRO_STATUS_NO_MEMORY;
   }
 }
 
@@ -117,13 +129,13 @@ void write_png(const std::string& path, const Mesh& mesh, const PictureOptions& 
   OutputFile out(path);
   const Surface surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width), static_cast<int>(height)));
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    throw InputError(std::string("no PNG picture of this size: ") +
-                     cairo_status_to_string(cairo_surface_status(surface.get())));
+  require_success(cairo_surface_status(surface.get()));
   CairoCanvas canvas(surface.get(), resolution);
   draw_mesh(canvas, mesh, layout, options);
+  require_success(canvas.status());
   const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &out);
-  if (status != CAIRO_STATUS_SUCCESS) throw FileError(path, 0, cairo_status_to_string(status));
+  if (status == CAIRO_STATUS_WRITE_ERROR) throw FileError(path, 0, cairo_status_to_string(status));
+  require_success(status);
   out.commit();
 }
 

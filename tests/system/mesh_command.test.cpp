@@ -208,6 +208,23 @@ TEST_CASE("memory that ends at any time ends with 8, and nothing is written", "[
 #endif
 }
 
+TEST_CASE("memory that a library needs and does not get ends with 8, too", "[system][mesh][errors]") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", square_poly);
+  for (const char* out : {"a.mesh", "a.png"}) {
+    for (const char* megabytes : {"1", "4", "8", "12"}) {
+      const ProgramResult result =
+          run_program({"mesh", square, "--size", "0.3", "--limit", std::string("memory_mb=") + megabytes, "--threads",
+                       "64", "-o", folder / out});
+      INFO(out << " with " << megabytes << " MB: " << result.err);
+#ifndef PARMESAN_SANITIZE
+      CHECK(result.exit_code == 8);
+      CHECK_FALSE(std::filesystem::exists(folder / out));
+#endif
+    }
+  }
+}
+
 TEST_CASE("quality refuses a mesh with a vertex that hangs, and says where", "[system][quality][errors]") {
   const TemporaryFolder folder;
   const std::string mesh =

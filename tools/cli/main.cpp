@@ -48,14 +48,25 @@ void open_standard_streams() {
   if (descriptor >= 0) close(descriptor);
 }
 
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view message = "parmesan: error: not enough memory; see --limit memory_mb\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+  _exit(static_cast<int>(parmesan::ExitCode::LimitHit));
+}
+
+bool has_ended = false;
+
+// Libraries for which there is no memory or no thread, as OpenMP's, end the program by exit(1).
+void end_for_library() {
+  if (!has_ended) end_without_memory();
+}
+
 // Where a destructor needs memory and there is none, as for a JSON value, no handler is reached.
 [[noreturn]] void end_without_unwinding() {
-  constexpr std::string_view message = "parmesan: error: not enough memory; see --limit memory_mb\n";
   try {
     if (const std::exception_ptr current = std::current_exception()) std::rethrow_exception(current);
   } catch (const std::bad_alloc&) {
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
-    _exit(static_cast<int>(parmesan::ExitCode::LimitHit));
+    end_without_memory();
   } catch (...) {
   }
   std::abort();
@@ -95,9 +106,13 @@ int main(int argc, char** argv) {
   std::set_terminate(end_without_unwinding);
   open_standard_streams();
   keep_freed_memory();
+  std::atexit(end_for_library);
+  parmesan::ExitCode code{};
   try {
-    return static_cast<int>(run_program(argc, argv));
+    code = run_program(argc, argv);
   } catch (...) {
-    return static_cast<int>(parmesan::report_current_exception());
+    code = parmesan::report_current_exception();
   }
+  has_ended = true;
+  return static_cast<int>(code);
 }
