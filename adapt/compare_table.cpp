@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "adapt/compare.h"
+#include "adapt/math_library.h"
 #include "adapt/number_text.h"
 
 namespace parmesan {
@@ -174,6 +175,7 @@ nlohmann::ordered_json to_json(const CompareResult& result) {
   Json j;
   j["case"] = result.case_name;
   j["version"] = PARMESAN_VERSION;
+  j["math_library"] = math_library();
   j["interrupted"] = result.interrupted;
   j["rows"] = Json::array();
   for (const CompareRow& row : result.rows) j["rows"].push_back(row_json(row));

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "adapt/math_library.h"
+
 namespace parmesan {
 namespace {
 
@@ -250,6 +252,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   Json j;
   j["case"] = summary.case_name;
   j["version"] = PARMESAN_VERSION;
+  j["math_library"] = math_library();
   j["seed"] = summary.seed;
   j["threads"] = summary.threads;
   j["stop_reason"] = to_string(summary.stop_reason);

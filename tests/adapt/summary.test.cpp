@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>  // defines __GLIBC__ where it is that
 #include <limits>
 #include <sstream>
+#ifdef __GLIBC__
+#include <gnu/libc-version.h>
+#endif
 
 #include "tests/support/meshes.h"
 
@@ -27,9 +31,13 @@ Summary one_row() {
 
 TEST_CASE("summary.json has every field that users rely on", "[adapt][summary]") {
   const nlohmann::ordered_json json = to_json(one_row());
-  for (const char* key : {"case", "version", "seed", "threads", "stop_reason", "targets_met", "iterations"})
+  for (const char* key :
+       {"case", "version", "math_library", "seed", "threads", "stop_reason", "targets_met", "iterations"})
     CHECK(json.contains(key));
   CHECK(json["stop_reason"] == "vertex_budget");
+#ifdef __GLIBC__
+  CHECK(json["math_library"] == std::string("glibc ") + gnu_get_libc_version());
+#endif
   const nlohmann::ordered_json& row = json["iterations"][0];
   for (const char* key : {"iteration",  "vertices",       "triangles",       "complexity",  "interpolation_error",
                           "efficiency", "solution_error", "estimated_error", "effectivity", "clipped",

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include "adapt/math_library.h"
+
 namespace parmesan {
 namespace {
 
@@ -40,7 +42,8 @@ std::string version_text() {
   return "parmesan " PARMESAN_VERSION "\n  compiler:  " + compiler() + "\n  build:     " + build() +
          "\n  libraries: Eigen " + number(EIGEN_WORLD_VERSION) + "." + number(EIGEN_MAJOR_VERSION) + "." +
          number(EIGEN_MINOR_VERSION) + ", nlohmann_json " + number(NLOHMANN_JSON_VERSION_MAJOR) + "." +
-         number(NLOHMANN_JSON_VERSION_MINOR) + "." + number(NLOHMANN_JSON_VERSION_PATCH) + ", CLI11 " CLI11_VERSION;
+         number(NLOHMANN_JSON_VERSION_MINOR) + "." + number(NLOHMANN_JSON_VERSION_PATCH) +
+         ", CLI11 " CLI11_VERSION ", " + math_library();
 }
 
 }  // namespace parmesan
