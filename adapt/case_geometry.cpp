@@ -70,9 +70,9 @@ void add_insides(CaseReading& reading, const Json& geometry, DomainBuilder& buil
 std::optional<Mesh> mesh_to_keep(CaseReading& reading, const Json& geometry, Mesh mesh, const CaseGeometry& read) {
   mesh = with_required_regions(std::move(mesh), read.required_regions);
   if (mesh.required.triangles.empty()) return std::nullopt;
-  for (const char* key : {"holes", "points", "segments", "regions"}) {
+  for (const char* key : {"holes", "points", "segments", "regions", "merge_tolerance"}) {
     if (geometry.contains(key))
-      reading.issues.add(kGeometry + "/" + key, "cannot be added to a mesh with triangles that are required to stay");
+      reading.issues.add(kGeometry + "/" + key, "is not for a mesh with triangles that are required to stay");
   }
   mesh.label_names = read.domain.label_names;
   mesh.region_names = read.domain.region_names;
@@ -107,6 +107,7 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
     (is_side && !shape->is_from_file ? result.sides : result.optional).push_back(label);
   }
   result.domain = builder.domain();
+  result.domain.merge_tolerance = geometry.value("merge_tolerance", 0.0);
   result.required_regions = read_required_regions(reading, geometry, result.domain);
   if (shape->mesh) result.kept = mesh_to_keep(reading, geometry, std::move(*shape->mesh), result);
   if (!reading.issues.clean(kGeometry)) return std::nullopt;

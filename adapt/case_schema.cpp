@@ -222,6 +222,8 @@ constexpr const char* kSchema = R"schema({
       "properties": {
         "regions": { "type": "object", "additionalProperties": { "$ref": "#/$defs/point" },
                      "description": "name -> a point in the region" },
+        "merge_tolerance": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0,
+                             "description": "points nearer than this become one, with a warning" },
         "required": { "type": "array", "items": { "type": "string", "minLength": 1 },
                       "description": "regions whose triangles stay as the file, or the first mesh, has them" },
         "points": { "type": "array", "items": { "$ref": "#/$defs/point" }, "description": "vertices inside" },

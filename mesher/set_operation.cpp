@@ -19,7 +19,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 DomainRepair subdivide(Domain domain) {
   domain.regions.clear();
-  DomainRepair repair = split_curves(merge_duplicate_points(domain));
+  DomainRepair repair = split_curves(merge_points(domain));
   repair = split_at_inner_vertices(drop_repeated_segments(std::move(repair)));
   return split_at_crossings(std::move(repair));
 }

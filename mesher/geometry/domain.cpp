@@ -8,7 +8,7 @@ namespace parmesan {
 
 CleanDomain clean(const Domain& domain, Crossings crossings) {
   check_input(domain);
-  DomainRepair repair = merge_duplicate_points(domain);
+  DomainRepair repair = merge_points(domain);
   repair = split_curves(std::move(repair));
   require_extent(repair);
   repair = drop_repeated_segments(std::move(repair));

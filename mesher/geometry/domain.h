@@ -53,6 +53,7 @@ struct Domain {
   std::vector<RegionSeed> regions;
   std::vector<int> required_points;  // that meshes are to mark as such; all points are kept
   Inside inside = Inside::HoleSeeds;
+  double merge_tolerance = 0.0;  // points nearer than this become one; L
   LabelNames label_names;
   LabelNames region_names;
 };
@@ -69,7 +70,8 @@ struct CleanDomain {
   std::vector<std::string> repairs;
 };
 
-/// Makes a domain fit for triangulation: merges duplicate points, drops repeated and zero-length
+/// Makes a domain fit for triangulation: merges duplicate points, and those nearer than the domain's merge tolerance
+/// into the first of them (ends of curves, which cannot move, before others), drops repeated and zero-length
 /// segments (the first keeps its label), splits segments at points that lie exactly on them and at
 /// overlaps. Keeps the order of points and segments. A crack of one segment, which could not open, gets a point in its
 /// middle. Notes free ends, and points that are under 1e-7
@@ -81,7 +83,7 @@ struct CleanDomain {
 /// Curved segments are split at kinks, in the middle if they begin and end in one point, and at points of the domain
 /// that lie on them to 1e-9 of their extent.
 ///
-/// Errors: GeometryError for coordinates that are not finite or over 1e75, indices out of range,
+/// Errors: GeometryError for coordinates that are not finite or over 1e75, indices out of range, a negative tolerance,
 /// fewer than three non-collinear points, properly crossing segments (names both and the crossing
 /// point) unless they are to be split, segments that curves touch between points, curves that do not begin and end at
 /// their segment's points, to 1e-9 of their extent, segments that enclose no area (names an open end), a hole or region

@@ -47,11 +47,11 @@ struct StraightSegments {
   std::vector<int> numbers;
 };
 
-/// Errors: GeometryError for indices out of range, coordinates that are not finite or over 1e75.
+/// Errors: GeometryError for indices out of range, coordinates that are not finite or over 1e75, a negative tolerance.
 void check_input(const Domain& domain);
 
-/// Equal points become the first of them; the order of the others stays.
-DomainRepair merge_duplicate_points(const Domain& domain);
+/// Equal points, and those nearer than the domain's tolerance, become the first of them; the order of the others stays.
+DomainRepair merge_points(const Domain& domain);
 
 /// Splits curved segments in the middle if they end where they begin, at kinks, and at points on them.
 /// Errors: GeometryError for a segment whose curve does not begin and end at its points, and for a seed on a curve.

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/closest_pair.h"
@@ -49,22 +48,6 @@ void check_curve(int curve, int num_curves, int segment) {
 
 bool comes_first(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-/// For each point the lowest index of a point equal to it.
-std::vector<int> first_equals(const std::vector<Point>& points) {
-  const auto at = [&points](int i) -> const Point& { return points[static_cast<std::size_t>(i)]; };
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&at](int i, int j) { return at(i) == at(j) ? i < j : comes_first(at(i), at(j)); });
-  std::vector<int> result(points.size());
-  int first = -1;
-  for (const int i : order) {
-    if (first < 0 || at(first) != at(i)) first = i;
-    result[static_cast<std::size_t>(i)] = first;
-  }
-  return result;
-}
-
 struct Extent {
   double diameter;
   double largest_coordinate;
@@ -103,6 +86,8 @@ void DomainRepair::note(std::string_view verb, std::string_view noun, const std:
 }
 
 void check_input(const Domain& domain) {
+  if (!(domain.merge_tolerance >= 0.0 && std::isfinite(domain.merge_tolerance)))
+    throw GeometryError("the merge tolerance must be a length or 0, not " + text(domain.merge_tolerance));
   int index = 0;
   for (const Point& p : domain.points) check_coordinates(p, "point", index++);
   index = 0;
@@ -119,32 +104,6 @@ void check_input(const Domain& domain) {
     if (v < 0 || v >= static_cast<int>(domain.points.size()))
       throw GeometryError("point " + text(v) + " is required, but there is no such point", {v});
   }
-}
-
-DomainRepair merge_duplicate_points(const Domain& domain) {
-  DomainRepair repair{.domain = domain, .point_sources = {}, .segment_sources = {}, .repairs = {}};
-  repair.domain.points.clear();
-  const std::vector<int> first = first_equals(domain.points);
-  std::vector<int> renumbered(domain.points.size());
-  std::vector<std::string> merged;
-  for (std::size_t i = 0; i < domain.points.size(); ++i) {
-    if (first[i] == static_cast<int>(i)) {
-      renumbered[i] = static_cast<int>(repair.domain.points.size());
-      repair.domain.points.push_back(domain.points[i]);
-      repair.point_sources.push_back(first[i]);
-    } else {
-      renumbered[i] = renumbered[static_cast<std::size_t>(first[i])];
-      merged.push_back(text(static_cast<int>(i)) + " into " + text(first[i]));
-    }
-  }
-  for (Segment& s : repair.domain.segments) {
-    s.a = renumbered[static_cast<std::size_t>(s.a)];
-    s.b = renumbered[static_cast<std::size_t>(s.b)];
-  }
-  for (int& v : repair.domain.required_points) v = renumbered[static_cast<std::size_t>(v)];
-  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) repair.segment_sources.push_back({s});
-  repair.note("merged", "duplicate point", merged);
-  return repair;
 }
 
 void require_extent(const DomainRepair& repair) {
@@ -188,6 +147,7 @@ DomainRepair note_close_points(DomainRepair repair) {
                         text(repair.source_point(pair.second)) + " apart, though their distance " +
                         text(pair.distance) + " is only " + text(pair.distance / diameter) + " of the diameter";
   if (pair.distance < ulps) message += " and near the resolution of the coordinates: subtract an offset";
+  message += "; a merge tolerance above it makes them one";
   repair.repairs.push_back(std::move(message));
   return repair;
 }

@@ -225,6 +225,28 @@ TEST_CASE("memory that a library needs and does not get ends with 8, too", "[sys
   }
 }
 
+TEST_CASE("mesh and convert merge points nearer than --merge-tolerance", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string poly = folder.write("near.poly",
+                                        "5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0 1e-6\n"
+                                        "5 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 5 4\n5 5 1 4\n0\n");
+  const std::string case_file =
+      folder.write("near.json", R"({"parameters": {"d": 1e-3}, "geometry": {"merge_tolerance": "d/2",
+        "polygon": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 1e-6]]}, "problem": {"interpolate": "x^2"}})");
+  const std::vector<std::vector<std::string>> commands{
+      {"mesh", poly, "--size", "0.5", "--merge-tolerance", "1e-4", "-o", folder / "a.mesh"},
+      {"mesh", case_file, "--size", "0.5", "-o", folder / "a.mesh"},
+      {"convert", poly, folder / "a.mesh", "--merge-tolerance", "1e-4"}};
+  for (const std::vector<std::string>& command : commands) {
+    const ProgramResult result = run_program(command);
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK_THAT(result.err, Catch::Contains("merged 1 point: 4 into 0"));
+    CHECK(quality_of({folder / "a.mesh"}).at("edge_length").at("min").get<double>() > 0.1);
+  }
+  CHECK(run_program({"mesh", poly, "--size", "0.5", "--merge-tolerance", "0", "-o", folder / "a.mesh"}).exit_code == 2);
+}
+
 TEST_CASE("quality refuses a mesh with a vertex that hangs, and says where", "[system][quality][errors]") {
   const TemporaryFolder folder;
   const std::string mesh =

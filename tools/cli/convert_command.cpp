@@ -21,7 +21,7 @@ struct ConvertArguments {
   std::string in;
   std::string out;
   WriteOptions write;
-  bool repair = false;
+  RepairOptions repair;
   CommonOptions common;
 };
 
@@ -116,7 +116,7 @@ Command add_convert_command(CLI::App& program) {
       "--binary", [arguments] { arguments->write.encoding = Encoding::Binary; },
       "Binary .msh; .mesh and .meshb tell by their names");
   add_picture_options(*app, arguments->write);
-  add_repair_option(*app, arguments->repair);
+  add_repair_options(*app, arguments->repair);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan convert part.msh part.meshb");
   return {app, [arguments] { return convert(*arguments); }};

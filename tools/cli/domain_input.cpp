@@ -13,8 +13,12 @@
 
 namespace parmesan {
 
-void add_repair_option(CLI::App& command, bool& repair) {
-  command.add_flag("--repair", repair, "Split segments where they cross instead of refusing the geometry");
+void add_repair_options(CLI::App& command, RepairOptions& options) {
+  command.add_flag("--repair", options.split_crossings,
+                   "Split segments where they cross instead of refusing the geometry");
+  command.add_option("--merge-tolerance", options.merge_tolerance, "Merge points of the geometry nearer than this")
+      ->check(CLI::PositiveNumber)
+      ->option_text("D");
 }
 
 namespace {
@@ -26,8 +30,10 @@ GeometryInput read_input(const std::string& path) {
   return read_geometry_input(path);
 }
 
-Domain repaired(const Domain& domain) {
-  CleanDomain result = clean(domain, Crossings::Split);
+Domain repaired(Domain domain, const RepairOptions& options) {
+  if (options.merge_tolerance > 0.0) domain.merge_tolerance = options.merge_tolerance;
+  if (!options.split_crossings && domain.merge_tolerance == 0.0) return domain;
+  CleanDomain result = clean(domain, options.split_crossings ? Crossings::Split : Crossings::Refuse);
   for (const std::string& sentence : result.repairs) print_warning(sentence);
   return std::move(result.domain);
 }
@@ -53,14 +59,14 @@ std::vector<int> regions_named(const Mesh& mesh, const std::vector<std::string>&
 
 }  // namespace
 
-Domain read_domain(const std::string& path, bool repair) {
-  Domain domain = read_input(path).domain;
-  return repair ? repaired(domain) : std::move(domain);
+Domain read_domain(const std::string& path, const RepairOptions& options) {
+  return repaired(read_input(path).domain, options);
 }
 
-GeometryInput read_geometry_to_mesh(const std::string& path, bool repair, const std::vector<std::string>& regions) {
+GeometryInput read_geometry_to_mesh(const std::string& path, const RepairOptions& options,
+                                    const std::vector<std::string>& regions) {
   GeometryInput input = read_input(path);
-  if (repair) input.domain = repaired(input.domain);
+  input.domain = repaired(std::move(input.domain), options);
   if (!regions.empty() && !input.mesh)
     throw GeometryError("--freeze: the geometry is no mesh, so it has no triangles that could stay");
   if (!regions.empty()) {

@@ -9,15 +9,22 @@
 
 namespace parmesan {
 
-/// Adds --repair to a subcommand that reads a geometry. repair must outlive it.
-void add_repair_option(CLI::App& command, bool& repair);
+/// What is to be mended in a geometry instead of refusing or keeping it.
+struct RepairOptions {
+  bool split_crossings = false;
+  double merge_tolerance = 0.0;  // points nearer than this become one; 0: what the geometry itself asks for
+};
 
-/// Reads a geometry, that of a case file too; with repair its crossing segments are split, with a warning that names
-/// them. Errors: as read_any_geometry and read_case_domain, and with repair as clean.
-Domain read_domain(const std::string& path, bool repair);
+/// Adds --repair and --merge-tolerance to a subcommand that reads a geometry. options must outlive it.
+void add_repair_options(CLI::App& command, RepairOptions& options);
+
+/// Reads a geometry, that of a case file too, and mends it, with a warning that names what was changed.
+/// Errors: as read_any_geometry and read_case_domain, and as clean where something is to be mended.
+Domain read_domain(const std::string& path, const RepairOptions& options);
 
 /// The same with the mesh that the geometry is given by, if it is. regions: names of those whose triangles are to be
 /// required, too. Errors: also GeometryError where the geometry has no such region, or is no mesh.
-GeometryInput read_geometry_to_mesh(const std::string& path, bool repair, const std::vector<std::string>& regions);
+GeometryInput read_geometry_to_mesh(const std::string& path, const RepairOptions& options,
+                                    const std::vector<std::string>& regions);
 
 }  // namespace parmesan

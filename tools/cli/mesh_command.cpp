@@ -49,7 +49,7 @@ struct MeshArguments {
   std::vector<std::string> outputs, voronoi, frozen;
   std::string evolution;
   GenerateOptions mesher;
-  bool repair = false;
+  RepairOptions repair;
   Requirements requirements;
   CommonOptions common;
 };
@@ -275,7 +275,7 @@ Command add_mesh_command(CLI::App& program) {
                   "What is to be meshed: .poly .geojson .dat (airfoil) .mesh .meshb .msh .node .ele")
       ->required()
       ->option_text(" ");
-  add_repair_option(*app, arguments->repair);
+  add_repair_options(*app, arguments->repair);
   app->add_option("-o,--out", arguments->outputs,
                   "File for the mesh; the suffix names the format: .mesh .meshb .msh .vtu .svg .eps .node .ele .poly; "
                   "may be repeated")

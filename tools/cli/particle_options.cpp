@@ -30,7 +30,7 @@ CLI::Option* add_number(CLI::App& command, const char* name, Value& value, const
 
 void add_schedule_options(CLI::App& command, GenerateOptions& options) {
   CLI::Option* schedule = add_choice(command, "--schedule", options.schedule, schedule_names,
-                                     "How particles are moved, thesis: pick by pick");
+                                     "How particles are moved (thesis: pick by pick)");
   ParticleOptions& particles = options.particles;
   add_name(command, "--potential", particles.potential, potential_names, "What acts between particles (3.3)");
   add_number(command, "--decay", particles.decay, {1e-6, 100.0}, "d of the approximation 3.20 [1]");

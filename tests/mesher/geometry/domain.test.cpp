@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,6 +98,37 @@ TEST_CASE("clean keeps points one ulp apart and notes it", "[mesher][domain]") {
   const CleanDomain cleaned = clean(polygon({{0, 0}, {1, 0}, {next, 0.0}, {1, 1}}));
   CHECK(cleaned.domain.points.size() == 4);
   CHECK_THAT(all_repairs(cleaned), Contains("kept points 1 and 2 apart") && Contains("resolution"));
+}
+
+TEST_CASE("clean merges points nearer than the tolerance, and those it keeps are as far apart", "[mesher][domain]") {
+  Domain slit = polygon({{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0.5, 1 + 1e-6}, {0.5 + 1e-6, 1}, {0, 1}});
+  slit.merge_tolerance = 1e-5;
+  const CleanDomain cleaned = clean(slit);
+  CHECK(cleaned.domain.points == std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}});
+  CHECK(ends_of(cleaned.domain) == Ends{{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 4, 6}, {4, 0, 7}});
+  CHECK_THAT(all_repairs(cleaned), Contains("by the tolerance 1e-05 merged 2 points: 4 into 3, 5 into 3") &&
+                                       Contains("dropped 2 zero-length segments: 3, 4"));
+
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  Domain cloud = polygon({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+  for (int i = 0; i < 500; ++i) cloud.points.push_back({place(engine), place(engine)});
+  for (const double tolerance : {0.01, 0.1, 0.7}) {
+    cloud.merge_tolerance = tolerance;
+    const std::vector<Point> kept = clean(cloud).domain.points;
+    const auto nearest = [&kept](const Point& p) {
+      double least = 10.0;
+      for (const Point& q : kept) least = std::min(least, q == p ? 10.0 : norm(q - p));
+      return least;
+    };
+    for (const Point& p : kept) CHECK(nearest(p) >= tolerance);
+    for (const Point& p : cloud.points)
+      CHECK((std::find(kept.begin(), kept.end(), p) != kept.end() || nearest(p) < tolerance));
+  }
+  cloud.merge_tolerance = 10.0;
+  CHECK_THAT(error_of(cloud), Contains("at least 3 different points"));
+  cloud.merge_tolerance = -1.0;
+  CHECK_THAT(error_of(cloud), Contains("tolerance"));
 }
 
 TEST_CASE("clean drops repeated, reversed and zero-length segments, and the first keeps its label",
