@@ -13,9 +13,11 @@ CleanDomain clean(const Domain& domain, Crossings crossings) {
   require_extent(repair);
   repair = drop_repeated_segments(std::move(repair));
   require_seeds_off_points(repair);
+  const bool none_cross = refuse_evident_crossings(repair, crossings);
   repair = split_at_inner_vertices(std::move(repair));
   if (crossings == Crossings::Split) repair = split_at_crossings(std::move(repair));
-  refuse_crossings(repair);
+  if (!none_cross) refuse_straight_crossings(repair);
+  refuse_curve_conflicts(repair);
   repair = halve_single_cracks(std::move(repair));
   repair = require_enclosure(std::move(repair));
   repair = note_close_points(std::move(repair));

@@ -28,6 +28,9 @@ struct DomainRepair {
   int source_point(int i) const { return point_sources[static_cast<std::size_t>(i)]; }
   int source_segment(int s) const { return segment_sources[static_cast<std::size_t>(s)].number; }
 
+  /// The number of the next point that is made, after the user's. Cost: O(n).
+  int next_source_point() const;
+
   /// Adds "merged 7 duplicate points: a, b, c, d, e, and 2 more", or nothing without items.
   void note(std::string_view verb, std::string_view noun, const std::vector<std::string>& items);
 };
@@ -69,6 +72,9 @@ void require_extent(const DomainRepair& repair);
 /// Drops segments of no length, and those that join the same points as an earlier one.
 DomainRepair drop_repeated_segments(DomainRepair repair);
 
+/// At most so many crossings are split at a time.
+inline constexpr std::size_t max_split_crossings = 1'000'000;
+
 /// Errors: GeometryError for a seed at a point.
 void require_seeds_off_points(const DomainRepair& repair);
 
@@ -84,8 +90,17 @@ DomainRepair merge_equal_curves(DomainRepair repair);
 /// are split where they cross other segments, but neither themselves nor what they touch between points.
 DomainRepair split_at_crossings(DomainRepair repair);
 
-/// Errors: GeometryError for segments that cross, with both and the point, and curved ones that touch.
-void refuse_crossings(const DomainRepair& repair);
+/// Refuses what crosses before the stages that take long among many crossings; a crossing in a point of the domain is
+/// none, once both segments are split there. Returns whether certainly no straight segments cross.
+/// Errors: GeometryError for segments that cross, with both and the point; if they are to be split, for a million of
+/// them.
+bool refuse_evident_crossings(const DomainRepair& repair, Crossings crossings);
+
+/// Errors: GeometryError for segments that cross, with both and the point.
+void refuse_straight_crossings(const DomainRepair& repair);
+
+/// Errors: GeometryError for curved segments that cross others or touch them.
+void refuse_curve_conflicts(const DomainRepair& repair);
 
 /// Notes chains that end freely. Errors: GeometryError, with an open end, when nothing is enclosed.
 DomainRepair require_enclosure(DomainRepair repair);

@@ -13,7 +13,7 @@ namespace {
 /// The points of a domain by their place; a new place gets a new point, numbered after the user's.
 class PointIndex {
  public:
-  explicit PointIndex(DomainRepair& repair) : repair_(repair) {
+  explicit PointIndex(DomainRepair& repair) : repair_(repair), next_source_(repair.next_source_point()) {
     int index = 0;
     for (const Point& p : repair.domain.points) index_[{p.x, p.y}] = index++;
   }
@@ -22,15 +22,15 @@ class PointIndex {
     const int next = static_cast<int>(repair_.domain.points.size());
     const auto [found, is_new] = index_.try_emplace({p.x, p.y}, next);
     if (is_new) {
-      const auto& sources = repair_.point_sources;
       repair_.domain.points.push_back(p);
-      repair_.point_sources.push_back(1 + *std::max_element(sources.begin(), sources.end()));
+      repair_.point_sources.push_back(next_source_++);
     }
     return found->second;
   }
 
  private:
   DomainRepair& repair_;
+  int next_source_;
   std::map<std::pair<double, double>, int> index_;
 };
 
@@ -76,7 +76,7 @@ DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>
 std::vector<Crossing> straight_crossings(const DomainRepair& repair) {
   const StraightSegments straight(repair.domain.segments);
   std::vector<Crossing> crossings;
-  for (const auto& [i, j] : segment_crossings(repair.domain.points, straight.segments)) {
+  for (const auto& [i, j] : segment_crossings(repair.domain.points, straight.segments, max_split_crossings)) {
     const int s = straight.index(i);
     const int t = straight.index(j);
     crossings.push_back({s, t, crossing_of(repair, s, t)});
@@ -93,7 +93,7 @@ Point crossing_of(const DomainRepair& repair, int s, int t) {
 }
 
 DomainRepair split_at_crossings(DomainRepair repair) {
-  constexpr int max_rounds = 1000;      // a search ends after 1000 crossings
+  constexpr int max_rounds = 1000;      // each may make a few crossings
   constexpr int max_curve_rounds = 30;  // for curves that run so near to each other that rounding makes crossings
   int curve_rounds = 0;
   std::vector<std::string> notes;

@@ -74,7 +74,7 @@ std::vector<Cut> cuts_at_points(const DomainRepair& repair, const Segment& s) {
 }
 
 int make_point(DomainRepair& repair, const Point& p) {
-  const int next = 1 + *std::max_element(repair.point_sources.begin(), repair.point_sources.end());
+  const int next = repair.next_source_point();
   repair.domain.points.push_back(p);
   repair.point_sources.push_back(next);
   return static_cast<int>(repair.domain.points.size()) - 1;

@@ -75,6 +75,10 @@ std::string text(double value) {
 
 std::string text(const Point& p) { return "(" + text(p.x) + ", " + text(p.y) + ")"; }
 
+int DomainRepair::next_source_point() const {
+  return point_sources.empty() ? 0 : 1 + *std::max_element(point_sources.begin(), point_sources.end());
+}
+
 void DomainRepair::note(std::string_view verb, std::string_view noun, const std::vector<std::string>& items) {
   constexpr std::size_t max_shown = 5;
   if (items.empty()) return;

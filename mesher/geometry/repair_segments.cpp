@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "mesher/errors.h"
-#include "mesher/geometry/outline.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
 
@@ -159,7 +157,7 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
       repair.segment_sources.push_back(sources[s]);
     }
   }
-  repair.note("made", "split of segments", split);
+  repair.note("split segments at", "inner point", split);
   return drop_repeated_segments(std::move(repair));
 }
 
@@ -167,6 +165,7 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
   std::vector<int> degree(repair.domain.points.size(), 0);
   for (const Segment& s : repair.domain.segments)
     for (const int v : {s.a, s.b}) ++degree[static_cast<std::size_t>(v)];
+  int next_source = repair.next_source_point();
   const std::size_t num_segments = repair.domain.segments.size();
   for (std::size_t i = 0; i < num_segments; ++i) {
     const Segment whole = repair.domain.segments[i];
@@ -175,44 +174,12 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
     if (!whole.label_right || !whole.is_straight() || !ends_freely) continue;
     const int middle = static_cast<int>(repair.domain.points.size());
     repair.domain.points.push_back(midpoint(repair.point(whole.a), repair.point(whole.b)));
-    repair.point_sources.push_back(1 + *std::max_element(repair.point_sources.begin(), repair.point_sources.end()));
+    repair.point_sources.push_back(next_source++);
     repair.domain.segments[i] = piece_of(whole, whole.a, middle);
     repair.domain.segments.push_back(piece_of(whole, middle, whole.b));
     repair.segment_sources.push_back(repair.segment_sources[i]);
   }
   return repair;
-}
-
-namespace {
-
-void refuse_straight_crossings(const DomainRepair& repair) {
-  const StraightSegments straight(repair.domain.segments);
-  const std::vector<std::array<int, 2>> crossings = segment_crossings(repair.domain.points, straight.segments);
-  if (crossings.empty()) return;
-  const int s = straight.index(crossings.front()[0]);
-  const int t = straight.index(crossings.front()[1]);
-  throw GeometryError("segments " + text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) +
-                          " cross at " + text(crossing_of(repair, s, t)) +
-                          "; split both there (mesh --repair does) or move one",
-                      {repair.source_segment(s), repair.source_segment(t)});
-}
-
-void refuse_curve_conflicts(const DomainRepair& repair) {
-  const std::optional<CurveConflict> conflict = find_outline(repair.domain).conflict;
-  if (!conflict) return;
-  const auto [s, t] = std::minmax({repair.source_segment(conflict->first), repair.source_segment(conflict->second)});
-  const std::string place = text(conflict->place);
-  if (s == t) throw GeometryError("the curve of segment " + text(s) + " crosses or touches itself at " + place, {s});
-  throw GeometryError("segments " + text(s) + " and " + text(t) + " cross or touch at " + place +
-                          "; curved segments may only meet at points of the domain",
-                      {s, t});
-}
-
-}  // namespace
-
-void refuse_crossings(const DomainRepair& repair) {
-  refuse_straight_crossings(repair);
-  refuse_curve_conflicts(repair);
 }
 
 DomainRepair require_enclosure(DomainRepair repair) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -13,7 +14,6 @@ namespace parmesan {
 
 namespace {
 
-constexpr std::size_t max_crossings = 1000;
 constexpr std::size_t max_points_inside = 10'000'000;
 constexpr std::size_t max_pairs_in_leaf = 400;
 constexpr int max_depth = 40;
@@ -59,6 +59,14 @@ class ContactSearch {
   ContactSearch(std::span<const Point> points, std::span<const Segment> segments)
       : points_(points), segments_(segments) {}
 
+  EvidentCrossings evident_crossings(std::size_t max_crossings) {
+    constexpr std::size_t visits_per_segment = 60;  // where none cross 15 do for a million
+    max_visits_ = visits_per_segment * segments_.size();
+    EvidentCrossings result{crossings(max_crossings)};
+    result.are_all = is_complete_;
+    return result;
+  }
+
   Pairs points_inside() {
     Cell all = root();
     all.points.resize(points_.size());
@@ -69,7 +77,8 @@ class ContactSearch {
     return search(std::move(all), num_pairs, [this](const Cell& cell) { compare_with_points(cell); });
   }
 
-  Pairs crossings() {
+  Pairs crossings(std::size_t max_crossings) {
+    max_crossings_ = max_crossings;
     const auto num_pairs = [this](const Cell& cell) {
       return is_fan(cell.segments) ? 0 : cell.segments.size() * cell.segments.size();
     };
@@ -77,6 +86,7 @@ class ContactSearch {
   }
 
  private:
+  bool is_over() const { return found_.size() >= max_crossings_ || num_visits_ >= max_visits_; }
   const Point& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
   const Segment& segment(int s) const { return segments_[static_cast<std::size_t>(s)]; }
 
@@ -84,18 +94,25 @@ class ContactSearch {
   template <class NumPairs, class Compare>
   Pairs search(Cell all, NumPairs num_pairs, Compare compare) {
     std::vector<Cell> open{std::move(all)};
-    while (!open.empty() && !is_full_) {
+    while (!open.empty() && !is_over()) {
       const Cell cell = std::move(open.back());
       open.pop_back();
+      num_visits_ += cell.segments.size();
       if (num_pairs(cell) <= max_pairs_in_leaf || cell.depth == max_depth) {
         compare(cell);
       } else {
         for (Cell& child : children(cell)) open.push_back(std::move(child));
       }
     }
+    is_complete_ = !is_over();
+    drop_repeated();
+    return std::move(found_);
+  }
+
+  /// Segments may meet in several cells.
+  void drop_repeated() {
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-    return std::move(found_);
   }
 
   /// Segments with a common end point cannot cross.
@@ -154,12 +171,13 @@ class ContactSearch {
 
   void compare_with_segments(const Cell& cell) {
     if (is_fan(cell.segments)) return;
-    for (std::size_t i = 0; i < cell.segments.size() && !is_full_; ++i) {
+    for (std::size_t i = 0; i < cell.segments.size() && !is_over(); ++i) {
       for (std::size_t j = i + 1; j < cell.segments.size(); ++j) {
         const auto [s, t] = std::minmax(cell.segments[i], cell.segments[j]);
         if (cross(s, t)) found_.push_back({s, t});
       }
-      is_full_ = found_.size() >= max_crossings;
+      if (found_.size() >= max_crossings_) drop_repeated();
+      num_visits_ += (cell.segments.size() - i) / 8;  // comparing is cheaper than dividing
     }
   }
 
@@ -191,7 +209,10 @@ class ContactSearch {
   std::span<const Point> points_;
   std::span<const Segment> segments_;
   Pairs found_;
-  bool is_full_ = false;
+  std::size_t max_crossings_ = std::numeric_limits<std::size_t>::max();
+  std::size_t max_visits_ = std::numeric_limits<std::size_t>::max();
+  std::size_t num_visits_ = 0;  // of segments, in cells
+  bool is_complete_ = false;
 };
 
 }  // namespace
@@ -201,8 +222,14 @@ std::vector<std::array<int, 2>> points_inside_segments(std::span<const Point> po
   return ContactSearch(points, segments).points_inside();
 }
 
-std::vector<std::array<int, 2>> segment_crossings(std::span<const Point> points, std::span<const Segment> segments) {
-  return ContactSearch(points, segments).crossings();
+std::vector<std::array<int, 2>> segment_crossings(std::span<const Point> points, std::span<const Segment> segments,
+                                                  std::size_t max_crossings) {
+  return ContactSearch(points, segments).crossings(max_crossings);
+}
+
+EvidentCrossings evident_crossings(std::span<const Point> points, std::span<const Segment> segments,
+                                   std::size_t max_crossings) {
+  return ContactSearch(points, segments).evident_crossings(max_crossings);
 }
 
 Point crossing_point(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,21 @@ std::vector<std::array<int, 2>> points_inside_segments(std::span<const Point> po
 
 /// The pairs of segments that cross in one point inside both, exactly; sorted, the lower index first.
 ///
-/// The search ends early when it has met 1000, because one is enough to refuse a domain.
+/// The search ends early when it has met max_crossings, because one is enough to refuse a domain.
 /// Shape and cost as above.
-std::vector<std::array<int, 2>> segment_crossings(std::span<const Point> points, std::span<const Segment> segments);
+std::vector<std::array<int, 2>> segment_crossings(std::span<const Point> points, std::span<const Segment> segments,
+                                                  std::size_t max_crossings = 1000);
+
+/// Crossings that a search of bounded cost has found.
+struct EvidentCrossings {
+  std::vector<std::array<int, 2>> pairs;
+  bool are_all = false;
+};
+
+/// The same, but the search also ends early when it gets dear, as it does among segments that overlap.
+/// Cost: O(n log n).
+EvidentCrossings evident_crossings(std::span<const Point> points, std::span<const Segment> segments,
+                                   std::size_t max_crossings);
 
 /// The point where the lines of two segments that cross meet, in floating point.
 Point crossing_point(const Point& a, const Point& b, const Point& c, const Point& d);

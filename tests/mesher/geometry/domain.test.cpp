@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <random>
 #include <string>
@@ -180,6 +180,39 @@ TEST_CASE("clean refuses crossings and names both segments and the point", "[mes
   Domain renumbered = bow_tie;  // the numbers given by the user, though earlier segments are dropped
   renumbered.segments.insert(renumbered.segments.begin(), {1, 1, 7});
   CHECK_THAT(error_of(renumbered), Contains("segments 1 and 3 cross at (1, 1)"));
+}
+
+TEST_CASE("Segments that cross in a point of the domain are split there, those beside them refused",
+          "[mesher][domain][errors]") {
+  Domain comb = square();  // a grid of 30 x 30 lines with a point at each crossing
+  for (int i = 1; i < 31; ++i)
+    for (int j = 1; j < 31; ++j) comb.points.push_back({i / 32.0, j / 32.0});
+  const auto add_line = [&comb](const Point& a, const Point& b) {
+    comb.points.insert(comb.points.end(), {a, b});
+    const int n = static_cast<int>(comb.points.size());
+    comb.segments.push_back({n - 2, n - 1, 9});
+  };
+  for (int i = 1; i < 31; ++i) {
+    add_line({i / 32.0, 0.0}, {i / 32.0, 1.0});
+    add_line({0.0, i / 32.0}, {1.0, i / 32.0});
+  }
+  CHECK(clean(comb).domain.segments.size() == 4 * 31 + 60 * 31);
+  add_line({0.252, 0.5078125}, {0.26, 0.5078125});
+  CHECK(clean(comb).domain.segments.size() == 4 * 31 + 60 * 31 + 1);
+  add_line({0.24, 0.5078125}, {0.26, 0.51});
+  CHECK(indices_of(comb).size() == 2);
+}
+
+TEST_CASE("A polygon that crosses itself everywhere is refused at once", "[mesher][domain][errors][slow]") {
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  std::vector<Point> points(30'000);
+  for (Point& p : points) p = {place(engine), place(engine)};
+  const Domain scribble = polygon(std::move(points));
+  const std::clock_t start = std::clock();
+  CHECK_THAT(error_of(scribble), Contains(" cross at "));
+  CHECK_THROWS_WITH(clean(scribble, Crossings::Split), Contains("more than 1000000 pairs of segments cross"));
+  CHECK(std::clock() - start < 10 * CLOCKS_PER_SEC);
 }
 
 TEST_CASE("clean sees a crossing of nearly parallel segments that rounding would hide", "[mesher][domain][errors]") {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <random>
 #include <vector>
 
@@ -88,6 +89,31 @@ TEST_CASE("segment_crossings finds the crossings of long segments that brute for
     const Graph graph = grid_graph(40, 30, 3 + static_cast<int>(seed % 9), seed);
     CHECK(segment_crossings(graph.points, graph.segments) == by_brute_force(graph).crossings);
   }
+}
+
+TEST_CASE("evident_crossings are crossings, and all of them where it says so", "[mesher][segment_contacts]") {
+  for (unsigned seed = 0; seed < 16; ++seed) {
+    const Graph graph = grid_graph(40, 30, 3 + static_cast<int>(seed % 9), seed);
+    const Pairs expected = by_brute_force(graph).crossings;
+    const EvidentCrossings all = evident_crossings(graph.points, graph.segments, 1000);
+    CHECK(std::includes(expected.begin(), expected.end(), all.pairs.begin(), all.pairs.end()));
+    if (all.are_all) CHECK(all.pairs == expected);
+    const EvidentCrossings some = evident_crossings(graph.points, graph.segments, 2);
+    CHECK(std::includes(expected.begin(), expected.end(), some.pairs.begin(), some.pairs.end()));
+    CHECK((some.are_all || some.pairs.size() >= 2));
+  }
+}
+
+TEST_CASE("evident_crossings ends soon among segments that overlap", "[mesher][segment_contacts]") {
+  Graph stack;
+  for (int i = 0; i < 1000; ++i) {
+    stack.points.insert(stack.points.end(), {{0.1 + 1e-4 * i, 0.1 + 1e-4 * i}, {1.0 - 1e-4 * i, 1.0 - 1e-4 * i}});
+    stack.segments.push_back({2 * i, 2 * i + 1, 0});
+  }
+  const std::clock_t start = std::clock();
+  const EvidentCrossings found = evident_crossings(stack.points, stack.segments, 1000);
+  CHECK(std::clock() - start < 5 * CLOCKS_PER_SEC);
+  CHECK_FALSE(found.are_all);
 }
 
 TEST_CASE("segment_crossings finds the single crossing of two long segments among many", "[mesher][segment_contacts]") {

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesher/errors.h"
+#include "mesher/geometry/outline.h"
+#include "mesher/geometry/predicates.h"
+#include "mesher/geometry/repair.h"
+#include "mesher/geometry/segment_contacts.h"
+
+namespace parmesan {
+namespace {
+
+[[noreturn]] void refuse_crossing(const DomainRepair& repair, int s, int t) {
+  throw GeometryError("segments " + text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) +
+                          " cross at " + text(crossing_of(repair, s, t)) +
+                          "; split both there (mesh --repair does) or move one",
+                      {repair.source_segment(s), repair.source_segment(t)});
+}
+
+/// Whether two segments that cross do so in a point of the domain.
+bool cross_in_point(const DomainRepair& repair, int s, int t) {
+  const auto has_inside = [&repair](int segment, const Point& p) {
+    const Point& a = repair.point(repair.segment(segment).a);
+    const Point& b = repair.point(repair.segment(segment).b);
+    return orient2d(a, b, p) == 0.0 && dot(a - p, b - p) < 0.0;
+  };
+  return std::ranges::any_of(repair.domain.points,
+                             [&](const Point& p) { return has_inside(s, p) && has_inside(t, p); });
+}
+
+}  // namespace
+
+bool refuse_evident_crossings(const DomainRepair& repair, Crossings crossings) {
+  const bool are_split = crossings == Crossings::Split;
+  constexpr std::size_t most_in_points = 20;  // looked at one by one
+  const std::size_t most = are_split ? max_split_crossings : 1000;
+  const StraightSegments straight(repair.domain.segments);
+  const EvidentCrossings found = evident_crossings(repair.domain.points, straight.segments, most);
+  if (are_split && found.pairs.size() >= most)
+    throw GeometryError("more than " + std::to_string(most) +
+                        " pairs of segments cross, which are too many to be split");
+  for (std::size_t i = 0; i < std::min(found.pairs.size(), most_in_points) && !are_split; ++i) {
+    const auto [s, t] = found.pairs[i];
+    if (!cross_in_point(repair, straight.index(s), straight.index(t)))
+      refuse_crossing(repair, straight.index(s), straight.index(t));
+  }
+  return found.are_all && found.pairs.empty();
+}
+
+void refuse_straight_crossings(const DomainRepair& repair) {
+  const StraightSegments straight(repair.domain.segments);
+  const std::vector<std::array<int, 2>> crossings = segment_crossings(repair.domain.points, straight.segments);
+  if (crossings.empty()) return;
+  refuse_crossing(repair, straight.index(crossings.front()[0]), straight.index(crossings.front()[1]));
+}
+
+void refuse_curve_conflicts(const DomainRepair& repair) {
+  const std::optional<CurveConflict> conflict = find_outline(repair.domain).conflict;
+  if (!conflict) return;
+  const auto [s, t] = std::minmax({repair.source_segment(conflict->first), repair.source_segment(conflict->second)});
+  const std::string place = text(conflict->place);
+  if (s == t) throw GeometryError("the curve of segment " + text(s) + " crosses or touches itself at " + place, {s});
+  throw GeometryError("segments " + text(s) + " and " + text(t) + " cross or touch at " + place +
+                          "; curved segments may only meet at points of the domain",
+                      {s, t});
+}
+
+}  // namespace parmesan
