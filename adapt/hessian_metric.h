@@ -50,6 +50,8 @@ double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessi
 /// |H| with the floor, scaled for the norm and the sign, before the factor D that sets the complexity.
 /// Lp: det^(-1/(2p+2)) |H| (Loseille & Alauzet 2011), times sign_factor where det H < 0.
 /// H1: tr^(1/2) det^(-1/4) |H|, times sqrt2 where det H < 0 (THEORY, "H1").
+/// Where max_aspect binds, det and tr are those of the eigenvalues it leaves, and the factor for the sign lies between
+/// those of the signs: triangles shorter than |H| asks for hardly see the smaller second derivative.
 SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, const MetricRequest& request);
 
 /// The stages in order: floors, norm and sign, sizes and aspect, gradation; then the factor D is

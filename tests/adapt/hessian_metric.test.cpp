@@ -1,6 +1,7 @@
 #include "adapt/hessian_metric.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -39,6 +40,34 @@ double size_along(const Metric& m, double angle) { return 1.0 / m.length({std::c
 double aspect(const Metric& m) {
   const Eigen2 e = eigen_decomposition(m.tensor());
   return std::sqrt(std::max(e.l1, e.l2) / std::min(e.l1, e.l2));
+}
+
+/// Squared L2 error per area of the interpolant of (h0 x^2 + h1 y^2)/2 on triangles equilateral in m, their mean over
+/// the angles, by the midpoint rule on n^2 parts.
+double squared_error_of_unit_mesh(const std::array<double, 2>& h, const SymmetricTensor& m) {
+  constexpr int angles = 12, n = 16;
+  const double sx = 1.0 / std::sqrt(m.xx), sy = 1.0 / std::sqrt(m.yy);
+  const auto u = [&](const Point& p) { return 0.5 * (h[0] * p.x * p.x + h[1] * p.y * p.y); };
+  double sum = 0.0;
+  for (int k = 0; k < angles; ++k) {
+    std::array<Point, 3> c;
+    for (int i = 0; i < 3; ++i) {
+      const double turn = 2.0 * std::numbers::pi * (i / 3.0 + k / (3.0 * angles));
+      c[static_cast<std::size_t>(i)] = {sx * std::cos(turn) / std::numbers::sqrt3,
+                                        sy * std::sin(turn) / std::numbers::sqrt3};
+    }
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        double s = (i + 0.5) / n, t = (j + 0.5) / n;
+        if (s + t > 1.0) s = 1.0 - s, t = 1.0 - t;
+        const double r = 1.0 - s - t;
+        const Point p{r * c[0].x + s * c[1].x + t * c[2].x, r * c[0].y + s * c[1].y + t * c[2].y};
+        const double e = u(p) - (r * u(c[0]) + s * u(c[1]) + t * u(c[2]));
+        sum += e * e;
+      }
+    }
+  }
+  return sum / (angles * n * n);
 }
 
 }  // namespace
@@ -137,6 +166,46 @@ TEST_CASE("sign_factor has THEORY's values and no jumps between them", "[adapt][
   CHECK(sign_factor(infinity) == 0.75);
   CHECK(sign_factor(3.0) > 0.5);
   CHECK(sign_factor(3.0) < 0.509);
+}
+
+TEST_CASE("where max_aspect binds the density is that of the shapes it leaves", "[adapt][metric]") {
+  // Eigenvalues 1 and 1e-6 and those of aspect 4, 1 and 1/16: the metric sees the same triangles, but for the sign.
+  MetricRequest request = wide_open(1.0);
+  request.options.max_aspect = 4.0;
+  request.measure = GENERATE(ErrorMeasure::Lp, ErrorMeasure::H1);
+  request.options.kind = MetricKind::LoseilleAlauzet;
+  const SymmetricTensor thin = scale_for_error({{1, 0, 1e-6}, 0.0}, 0.0, request);
+  const SymmetricTensor bound = scale_for_error({{1, 0, 1.0 / 16}, 0.0}, 0.0, request);
+  CHECK(thin.xx == Approx(bound.xx).epsilon(1e-12));
+  CHECK(thin.yy < bound.yy);  // left to the limits, which report it
+}
+
+TEST_CASE("no other sharing of triangles between two functions has a smaller L2 error", "[adapt][metric]") {
+  // u'' = (a, b) on two squares, triangles equilateral in the metric scale_for_error gives with aspect 2 at most. Their
+  // errors by quadrature; moving 10 % of the density from one square to the other must not lower the sum of squares.
+  MetricRequest request = wide_open(1.0);
+  request.options.max_aspect = 2.0;
+  using Eigenvalues = std::array<double, 2>;
+  using Pair = std::array<Eigenvalues, 2>;
+  const Pair pair = GENERATE(Pair{{{1.0, 1.0}, {1.0, 1e-4}}}, Pair{{{1.0, -1.0}, {1.0, 1e-4}}},
+                             Pair{{{1.0, 0.1}, {1.0, -0.1}}}, Pair{{{3.0, -0.5}, {1.0, 0.01}}});
+  const auto optimal = [&](const Eigenvalues& h) {
+    const AbsoluteHessian hessian{{h[0], 0, std::abs(h[1])}, h[1] < 0.0 ? 1.0 : 0.0};
+    SymmetricTensor m = scale_for_error(hessian, 0.0, request);
+    m.yy = std::max(m.yy, 0.25 * m.xx);
+    return m;
+  };
+  const SymmetricTensor ma = optimal(pair[0]), mb = optimal(pair[1]);
+  const double da = std::sqrt(ma.xx * ma.yy), db = std::sqrt(mb.xx * mb.yy);
+  const auto total = [&](double moved) {
+    const auto part = [](const Eigenvalues& h, const SymmetricTensor& m, double factor) {
+      return squared_error_of_unit_mesh(h, factor * m);
+    };
+    return part(pair[0], ma, 1.0 + moved / da) + part(pair[1], mb, 1.0 - moved / db);
+  };
+  const double step = 0.1 * std::min(da, db);
+  CHECK(total(0.0) <= total(step));
+  CHECK(total(0.0) <= total(-step));
 }
 
 TEST_CASE("limits hold in every metric and win over the complexity", "[adapt][metric]") {
