@@ -8,6 +8,7 @@
 #include "mesher/geometry/segment_path.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/population.h"
+#include "mesher/triangulation/delaunay.h"
 
 namespace parmesan {
 namespace {
@@ -62,14 +63,30 @@ double mark_parameter(const SegmentMeasure& measure, int n, int mark) {
   return measure.parameter_at(measure.total() * mark / n);
 }
 
-bool can_split_at(const Triangulation& mesh, EdgeId e, const Point& p) {
+// The apex of a triangle beside e that hides p from an end of e, so that e cannot be split there; or no_vertex.
+VertexId obstacle_to_split(const Triangulation& mesh, EdgeId e, const Point& p) {
   for (const EdgeId side : {e, sym(e)}) {
     if (!mesh.is_inside_left(side)) continue;
-    const Point& apex = mesh.point(mesh.dest(mesh.onext(side)));
-    if (orient2d(mesh.point(mesh.org(side)), p, apex) <= 0.0) return false;
-    if (orient2d(p, mesh.point(mesh.dest(side)), apex) <= 0.0) return false;
+    const VertexId apex = mesh.dest(mesh.onext(side));
+    if (orient2d(mesh.point(mesh.org(side)), p, mesh.point(apex)) <= 0.0) return apex;
+    if (orient2d(p, mesh.point(mesh.dest(side)), mesh.point(apex)) <= 0.0) return apex;
   }
-  return true;
+  return no_vertex;
+}
+
+// Splits e at a point of its segment. Free particles between a chord and its curve, as a layer has many, are removed:
+// they lie outside, and without a way the chord would stay for good. Adds the edges that changed.
+VertexId split_at(ParticleSystem& particles, EdgeId e, const Point& p, std::vector<EdgeId>& changed) {
+  constexpr int most = 1000;
+  Triangulation& mesh = particles.mesh();
+  for (int removed = 0; removed <= most; ++removed) {
+    const VertexId obstacle = obstacle_to_split(mesh, e, p);
+    if (obstacle == no_vertex) return particles.create_on_edge(e, p);
+    if (!particles.is_free(obstacle)) break;
+    const std::vector<EdgeId> hole = remove_star(mesh, obstacle);
+    changed.insert(changed.end(), hole.begin(), hole.end());
+  }
+  return no_vertex;
 }
 
 // Edges per parameter on a curve, d its derivative there. From its ends a chord of tangential length l, along which
@@ -189,7 +206,8 @@ void Boundary::match_counts(ParticleSystem& particles) const {
       if (from == to) superfluous.push_back(all[i].edge);
       for (int mark = to - 1; mark > from; --mark) {
         const Point p = point_on(particles.domain(), segment, mark_parameter(measure, n, mark));
-        if (can_split_at(mesh, all[i].edge, p)) legalize_later(particles.create_on_edge(all[i].edge, p));
+        const VertexId v = split_at(particles, all[i].edge, p, stack);
+        if (v != no_vertex) legalize_later(v);
       }
     }
   });
@@ -266,8 +284,8 @@ int split_distant_chords(ParticleSystem& particles) {
       const Curve& curve = domain.curves[at(s.curve)];
       if (chord_error(curve, e.from, e.to) <= curve.chord_error()) continue;
       const Point p = curve.at(0.5 * (e.from + e.to));
-      if (!can_split_at(particles.mesh(), e.edge, p)) continue;
-      const VertexId v = particles.create_on_edge(e.edge, p);
+      const VertexId v = split_at(particles, e.edge, p, stack);
+      if (v == no_vertex) continue;
       for_each_spoke(particles.mesh(), v, [&](EdgeId spoke) { stack.push_back(particles.mesh().lnext(spoke)); });
       ++splits;
     }

@@ -1,8 +1,11 @@
 #include "mesher/particles/boundary.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
+#include "mesher/generate.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/triangulation/check.h"
@@ -121,4 +124,34 @@ TEST_CASE("SegmentMeasure integrates the metric along an arc, and counts edges b
     CHECK(of_arc.total() == Approx(n).epsilon(0.01));
     CHECK(of_arc.num_edges() >= 10);
   }
+}
+
+TEST_CASE("match_counts divides chords with particles between them and their arc", "[mesher][particles]") {
+  // Half of the unit disc taken out of a rectangle; its arc as 6 chords that must stay whole, up to 0.034 from it, with
+  // elements of 0.01 between them.
+  constexpr int chords = 6;
+  Domain curved = support::half_disc();
+  curved.points = {{1.0, 0.0}, {-1.0, 0.0}, {-2.0, 0.0}, {-2.0, 2.0}, {2.0, 2.0}, {2.0, 0.0}};
+  curved.segments = {{0, 1, 1, {}, false, 0}, {1, 2, 2}, {2, 3, 3}, {3, 4, 4}, {4, 5, 5}, {5, 0, 6}};
+  Domain polygon = curved;
+  polygon.curves.clear();
+  polygon.segments.erase(polygon.segments.begin());
+  for (int k = 0; k < chords; ++k) {
+    if (k > 0) polygon.points.push_back({std::cos(M_PI * k / chords), std::sin(M_PI * k / chords)});
+    polygon.segments.push_back({k == 0 ? 0 : 5 + k, k + 1 == chords ? 1 : 6 + k, 1, {}, true});
+  }
+  const ConstantField field(Metric::isotropic(0.01));
+  const Mesh coarse = generate(polygon, field).mesh;
+  REQUIRE(std::count(coarse.labels.begin(), coarse.labels.end(), 1) == chords);
+  std::vector<int> segments;
+  for (const int label : coarse.labels) segments.push_back(label - 1);
+  const Domain domain = clean(curved).domain;
+  ParticleSystem particles(from_mesh(coarse, segments), domain, field);
+  const Boundary boundary(particles);
+  for (int pass = 0; pass < 4; ++pass) boundary.match_counts(particles);
+  CHECK(check(particles.mesh()).empty());
+  int edges = 0;
+  for (std::int32_t q = 0; q < particles.mesh().size(); ++q)
+    edges += particles.mesh().is_alive(q) && particles.mesh().segment(EdgeId{4 * q}) == 0;
+  CHECK(edges == 314);
 }
