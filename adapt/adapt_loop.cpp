@@ -133,7 +133,7 @@ class Loop {
     Iterate& last = state_.last;
     std::vector<IterationRow>& rows = state_.summary.iterations;
     rows.push_back(measure(case_, last, static_cast<int>(rows.size()), state_.limit));
-    for (std::string& warning : last.report.warnings) state_.summary.warnings.push_back(std::move(warning));
+    for (std::string& warning : last.report.warnings) warn_once(std::move(warning));
     last.report.warnings.clear();
     const double excess = excess_of(rows.back());
     const bool adapted = rows.size() > 1 || options_.start;
@@ -143,6 +143,12 @@ class Loop {
     state_.seconds += lap_.seconds();
     lap_ = now;
     if (options_.observer) options_.observer(state_);
+  }
+
+  // Each mesh repairs the same geometry again.
+  void warn_once(std::string warning) {
+    std::vector<std::string>& warnings = state_.summary.warnings;
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(std::move(warning));
   }
 
   void remember_if_met() {

@@ -235,6 +235,18 @@ TEST_CASE("misfits are reported of every mesh, and warned of for the last one on
   CHECK(warnings == 1);
 }
 
+TEST_CASE("a repair of the geometry is warned of once", "[adapt][loop]") {
+  const Case input =
+      parse_case(R"({"name": "test", "problem": {"interpolate": "sin(6*x)*y"}, "targets": {"vertices": 200},
+      "geometry": {"polygon": [[0, 0], [1, 0], [1, 0], [1, 1], [0, 1]]}, "initial": {"vertices": 100},
+      "mesher": {"preset": "fast"}})",
+                 "test.json");
+  const LoopResult run = adapt(input, {});
+  CHECK(run.summary.iterations.size() > 1);
+  const auto tells_of_merging = [](const std::string& text) { return text.find("merged") != std::string::npos; };
+  CHECK(std::count_if(run.summary.warnings.begin(), run.summary.warnings.end(), tells_of_merging) == 1);
+}
+
 TEST_CASE("a size beyond the safety limit is refused", "[adapt][loop][errors]") {
   LoopOptions options;
   options.max_vertices = 300;
