@@ -16,7 +16,8 @@ CleanDomain clean(const Domain& domain, Crossings crossings) {
   const bool none_cross = refuse_evident_crossings(repair, crossings);
   repair = split_at_inner_vertices(std::move(repair));
   if (crossings == Crossings::Split) repair = split_at_crossings(std::move(repair));
-  if (!none_cross) refuse_straight_crossings(repair);
+  const bool may_cross = !none_cross || crossings == Crossings::Split;  // points where curves are split are rounded
+  if (may_cross) refuse_straight_crossings(repair);
   refuse_curve_conflicts(repair);
   repair = halve_single_cracks(std::move(repair));
   repair = require_enclosure(std::move(repair));
