@@ -42,6 +42,7 @@ std::vector<int> regions_named(const Mesh& mesh, const std::vector<std::string>&
   std::map<std::string, int> present;
   for (const int region : ascending(mesh.regions)) present.emplace(label_name(mesh.region_names, region), region);
   std::vector<std::string> known;
+  known.reserve(present.size());
   for (const auto& [name, region] : present) known.push_back(name);
   std::vector<int> regions;
   for (const std::string& name : names) {
