@@ -1,9 +1,8 @@
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "mesher/geometry/first_equal.h"
 #include "mesher/geometry/repair.h"
 
 namespace parmesan {
@@ -11,18 +10,10 @@ namespace {
 
 /// For each point the lowest index of a point equal to it.
 std::vector<int> first_equals(const std::vector<Point>& points) {
-  const auto at = [&points](int i) -> const Point& { return points[static_cast<std::size_t>(i)]; };
-  const auto place = [&at](int i) { return std::pair(at(i).x, at(i).y); };
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return at(i) == at(j) ? i < j : place(i) < place(j); });
-  std::vector<int> result(points.size());
-  int first = -1;
-  for (const int i : order) {
-    if (first < 0 || at(first) != at(i)) first = i;
-    result[static_cast<std::size_t>(i)] = first;
-  }
-  return result;
+  return first_with_equal(points.size(), [&points](int i) {
+    const Point& p = points[static_cast<std::size_t>(i)];
+    return std::pair(p.x, p.y);
+  });
 }
 
 /// Points that are kept, in cells of a grid as wide as the tolerance.

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/first_equal.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
 
@@ -18,16 +18,7 @@ std::vector<int> first_between_same_points(const std::vector<Segment>& segments)
     const Segment& segment = segments[static_cast<std::size_t>(s)];
     return std::tuple(std::min(segment.a, segment.b), std::max(segment.a, segment.b), segment.curve);
   };
-  std::vector<int> order(segments.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&ends](int s, int t) { return ends(s) < ends(t); });
-  std::vector<int> result(segments.size());
-  int first = -1;
-  for (const int s : order) {
-    if (first < 0 || ends(first) != ends(s)) first = s;
-    result[static_cast<std::size_t>(s)] = first;
-  }
-  return result;
+  return first_with_equal(segments.size(), ends);
 }
 
 /// seed: counted through the hole seeds and then the region seeds.
