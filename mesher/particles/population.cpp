@@ -328,6 +328,14 @@ Density measure_density(const ParticleSystem& particles) {
 
 }  // namespace
 
+double unresolved_share(const ParticleSystem& particles) {
+  const Triangulation& mesh = particles.mesh();
+  const double unresolved = estimated_sum(mesh.num_slots(), enough_for_means, [&](VertexId v) {
+    return mesh.has_vertex(v) && particles.is_free(v) && !is_resolved_at(particles, v) ? 1.0 : 0.0;
+  });
+  return unresolved / mesh.num_vertices();
+}
+
 double area_per_particle(const ParticleSystem& particles) { return measure_density(particles).area; }
 
 void match_density(ParticleSystem& particles, PopulationRules rules, std::int64_t max_vertices) {

@@ -39,6 +39,10 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 /// 20 000 particles or edges.
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
+/// Share of the particles that are free and lie where the metric is not resolved (Star::is_resolved); estimated from
+/// every n-th of more than 5000.
+double unresolved_share(const ParticleSystem& particles);
+
 /// Area of the mesh in the metric per particle over that of a unit mesh, sqrt3 / 2: above 1 there are too few
 /// particles, though each edge alone may be within the rules. Boundaries, and places where the metric is not resolved,
 /// aside; estimated from every n-th of more than 5000 particles, to 0.2 %.

@@ -102,6 +102,21 @@ TEST_CASE("a thin layer that the mesh has not seen is demanded, though it is res
   CHECK(population_demand(particles, {}) > 0.1);
 }
 
+TEST_CASE("particles whose spokes cross a jump of the metric are those not resolved", "[mesher][particles]") {
+  // A grid of 60 x 60 squares; at x = 0.3, between two of its columns, sizes jump: both columns have spokes that cross
+  // the jump, with 59 free particles each.
+  const int cells = 60;
+  const double ratio = GENERATE(1.0, 1.4, 1.6, 50.0);
+  const CallableField field([&](const Point& p) {
+    const double size = p.x < 0.308 ? 1.0 / cells : ratio / cells;
+    return Metric::isotropic(size);
+  });
+  const Domain domain = support::unit_square();
+  const ParticleSystem particles = grid_particles(cells, domain, field);
+  const double crossing = 2.0 * (cells - 1.0) / particles.mesh().num_vertices();
+  CHECK(unresolved_share(particles) == Approx(ratio > 1.5 ? crossing : 0.0));
+}
+
 TEST_CASE("the limit on vertices is kept", "[mesher][particles][errors]") {
   const Domain domain = support::unit_square();
   const ConstantField field(Metric::isotropic(0.01));
