@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "mesher/parallel.h"
 #include "mesher/particles/circumcentre.h"
 #include "mesher/particles/metric_flips.h"
+#include "mesher/particles/sampled_sum.h"
 #include "mesher/particles/selection.h"
 #include "mesher/particles/triangle_area.h"
 #include "mesher/triangulation/delaunay.h"
@@ -51,12 +51,6 @@ double quality_of_halves(const ParticleSystem& particles, EdgeId e, const Point&
     smallest = std::min({smallest, mean_ratio(a, p, c, m), mean_ratio(p, b, c, m)});
   }
   return smallest;
-}
-
-bool is_resolved_at(const ParticleSystem& particles, VertexId v) {
-  Star star;
-  star.gather(particles, v);
-  return star.is_resolved(particles.mesh().point(v), particles.metric(v));
 }
 
 bool is_resolved_at(const ParticleSystem& particles, EdgeId e) {
@@ -259,19 +253,6 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 namespace {
 
 constexpr std::int32_t enough_for_shares = 20000;
-constexpr std::int32_t enough_for_means = 5000;
-
-// The sum of demand(i) over every n-th of the numbers below size, times n, of at least as many as the sample.
-template <class F>
-double estimated_sum(std::int32_t size, std::int32_t sample, F demand) {
-  const std::int32_t stride = std::max(1, size / sample);
-  const auto count = static_cast<std::size_t>((size + stride - 1) / stride);
-  const auto sums = collect<double>(count, [&](std::size_t first, std::size_t last, std::vector<double>& sum) {
-    sum.push_back(0.0);
-    for (std::size_t i = first; i < last; ++i) sum.back() += demand(static_cast<std::int32_t>(i) * stride);
-  });
-  return stride * std::accumulate(sums.begin(), sums.end(), 0.0);
-}
 
 double demand_of_star(const ParticleSystem& particles, VertexId v, const PopulationRules& rules) {
   if (!particles.mesh().has_vertex(v) || !particles.is_free(v)) return 0.0;
@@ -293,65 +274,11 @@ double demand_of_edge(const ParticleSystem& particles, std::int32_t q, const Pop
 
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules) {
   const Triangulation& mesh = particles.mesh();
-  const double of_stars = estimated_sum(mesh.num_slots(), enough_for_shares,
-                                        [&](std::int32_t v) { return demand_of_star(particles, v, rules); });
-  const double of_edges = estimated_sum(mesh.size(), enough_for_shares,
-                                        [&](std::int32_t q) { return demand_of_edge(particles, q, rules); });
+  const double of_stars = sampled_sum(mesh.num_slots(), enough_for_shares,
+                                      [&](std::int32_t v) { return demand_of_star(particles, v, rules); });
+  const double of_edges =
+      sampled_sum(mesh.size(), enough_for_shares, [&](std::int32_t q) { return demand_of_edge(particles, q, rules); });
   return (of_stars + of_edges) / mesh.num_vertices();
-}
-
-namespace {
-
-// What the rules leave free is measured, and put right, where the metric is resolved.
-struct Density {
-  double area = 1.0;   // per particle, over that of a unit mesh
-  double count = 0.0;  // of the particles
-};
-
-// A triangle is in three stars.
-Density measure_density(const ParticleSystem& particles) {
-  constexpr double unit_area = 0.5 * std::numbers::sqrt3;
-  const Triangulation& mesh = particles.mesh();
-  const auto is_counted = [&](VertexId v) {
-    return mesh.has_vertex(v) && particles.is_free(v) && is_resolved_at(particles, v);
-  };
-  const double count =
-      estimated_sum(mesh.num_slots(), enough_for_means, [&](VertexId v) { return is_counted(v) ? 1.0 : 0.0; });
-  const double stars = estimated_sum(mesh.num_slots(), enough_for_means, [&](VertexId v) {
-    if (!is_counted(v)) return 0.0;
-    Star star;
-    star.gather(particles, v);
-    return star.metric_area(mesh.point(v), particles.metric(v));
-  });
-  return count > 0.0 ? Density{stars / (3.0 * count * unit_area), count} : Density{};
-}
-
-}  // namespace
-
-double unresolved_share(const ParticleSystem& particles) {
-  const Triangulation& mesh = particles.mesh();
-  const double unresolved = estimated_sum(mesh.num_slots(), enough_for_means, [&](VertexId v) {
-    return mesh.has_vertex(v) && particles.is_free(v) && !is_resolved_at(particles, v) ? 1.0 : 0.0;
-  });
-  return unresolved / mesh.num_vertices();
-}
-
-double area_per_particle(const ParticleSystem& particles) { return measure_density(particles).area; }
-
-void match_density(ParticleSystem& particles, PopulationRules rules, std::int64_t max_vertices) {
-  constexpr double close = 0.03;  // nearer than that relaxation gains more by being left alone
-  const auto [area, count] = measure_density(particles);
-  if (std::abs(area - 1.0) < close) return;
-  rules.long_edge = 1.0;
-  rules.short_edge = 0.7;
-  rules.area_slack = -0.3;
-  rules.only_resolved = true;
-  rules.most = static_cast<int>(std::abs(area - 1.0) * count);
-  if (area > 1.0) {
-    create_particles(particles, rules, max_vertices);
-  } else {
-    annihilate_particles(particles, rules);
-  }
 }
 
 }  // namespace parmesan

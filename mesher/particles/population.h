@@ -39,19 +39,6 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 /// 20 000 particles or edges.
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
-/// Share of the particles that are free and lie where the metric is not resolved (Star::is_resolved); estimated from
-/// every n-th of more than 5000.
-double unresolved_share(const ParticleSystem& particles);
-
-/// Area of the mesh in the metric per particle over that of a unit mesh, sqrt3 / 2: above 1 there are too few
-/// particles, though each edge alone may be within the rules. Boundaries, and places where the metric is not resolved,
-/// aside; estimated from every n-th of more than 5000 particles, to 0.2 %.
-double area_per_particle(const ParticleSystem& particles);
-
-/// Splits the longest edges, or annihilates the particles with the smallest stars, that the rules let be, until the
-/// area per particle is that of a unit mesh: the rules leave it free by 15 %. Does nothing within 3 %.
-void match_density(ParticleSystem& particles, PopulationRules rules, std::int64_t max_vertices);
-
 /// Would collapsing e keep the constrained edges apart? Two of them would become one if they are the other sides of a
 /// triangle beside e, inside the domain or a hole. That happens on curves only. Cost: O(1).
 bool keeps_constraints_apart(const Triangulation& mesh, EdgeId e);

@@ -108,4 +108,10 @@ double Star::metric_area(const Point& p, const Metric& m) const {
   return area;
 }
 
+bool is_resolved_at(const ParticleSystem& particles, VertexId v) {
+  Star star;
+  star.gather(particles, v);
+  return star.is_resolved(particles.mesh().point(v), particles.metric(v));
+}
+
 }  // namespace parmesan

@@ -55,4 +55,7 @@ class Star {
   std::vector<Spoke> spokes_;
 };
 
+/// Does v lie where the metric is resolved (Star::is_resolved)?
+bool is_resolved_at(const ParticleSystem& particles, VertexId v);
+
 }  // namespace parmesan

@@ -10,15 +10,11 @@
 #include "mesher/triangulation/conversion.h"
 #include "tests/support/domains.h"
 #include "tests/support/meshes.h"
+#include "tests/support/particles.h"
 
 using namespace parmesan;
 
 namespace {
-
-ParticleSystem grid_particles(int n, const Domain& domain, const MetricField& field) {
-  const Mesh mesh = support::rectangle_mesh(n, n);
-  return ParticleSystem(from_mesh(mesh, support::segments_of(mesh)), domain, field);
-}
 
 // Sum of the metric areas of all triangles over that of a unit triangle.
 double unit_triangles(double h) { return 1.0 / (std::sqrt(3.0) / 4.0 * h * h); }
@@ -30,7 +26,7 @@ TEST_CASE("creation and annihilation lead to the density of the metric from eith
   const double h = 0.05;
   const ConstantField field(Metric::isotropic(h));
   const int n = GENERATE(12, 45);  // too coarse, too fine
-  ParticleSystem particles = grid_particles(n, domain, field);
+  ParticleSystem particles = support::grid_particles(n, domain, field);
   for (int pass = 0; pass < 20; ++pass) {
     create_particles(particles, {}, 100000);
     annihilate_particles(particles, {});
@@ -50,7 +46,7 @@ TEST_CASE("creation and annihilation lead to the density of the metric from eith
 TEST_CASE("the rules hardly touch a relaxed mesh, so that rounds settle", "[mesher][particles]") {
   const Domain domain = support::unit_square();
   const CallableField field([](const Point& p) { return Metric::from_sizes(0.02 + 0.06 * p.x, 0.08, 0.5); });
-  ParticleSystem particles = grid_particles(20, domain, field);
+  ParticleSystem particles = support::grid_particles(20, domain, field);
   run_fast_schedule(particles, {});  // from far off
   run_fast_schedule(particles, {});
   const int n = particles.mesh().num_vertices();
@@ -61,33 +57,31 @@ TEST_CASE("the rules hardly touch a relaxed mesh, so that rounds settle", "[mesh
 TEST_CASE("a relaxed mesh demands few particles, a coarse one about those that it lacks", "[mesher][particles]") {
   const Domain domain = support::unit_square();
   const CallableField field([](const Point& p) { return Metric::from_sizes(0.005 + 0.015 * p.x, 0.02, 0.5); });
-  ParticleSystem particles = grid_particles(20, domain, field);
+  ParticleSystem particles = support::grid_particles(20, domain, field);
   CHECK(population_demand(particles, {}) > 0.1);
   run_fast_schedule(particles, {});  // from far off
   run_fast_schedule(particles, {});
   CHECK(population_demand(particles, {}) < 0.02);
-  CHECK(area_per_particle(particles) == Approx(1.0).margin(0.03));
 
   // Sizes halved: every free edge has length 2 and is an outlier that counts 4. By Euler's formula there are
   // 3 n - 3 - 2 b of them to n particles, b on the boundary: 4 sides of 10 edges.
   const ConstantField coarse(Metric::isotropic(0.1));
-  ParticleSystem grid = grid_particles(20, domain, coarse);
+  ParticleSystem grid = support::grid_particles(20, domain, coarse);
   run_fast_schedule(grid, {});
   grid.set_level({.scale = 4.0});
   const double n = grid.mesh().num_vertices();
   CHECK(population_demand(grid, {}) == Approx(4.0 * (3.0 * n - 3.0 - 2.0 * 40.0) / n).epsilon(0.05));
 }
 
-TEST_CASE("demand and area are estimated from a part of a large mesh", "[mesher][particles]") {
+TEST_CASE("demand is estimated from a part of a large mesh", "[mesher][particles]") {
   // A grid of spacing 1 where 1/2 is asked for: the squares of its free edges' lengths are 4, 4 and, on the diagonal,
-  // 8; each has one of each to a particle. Each particle has the area 4.
+  // 8; each has one of each to a particle.
   const int cells = GENERATE(60, 240);
   const Domain domain = support::unit_square();
   const ConstantField field(Metric::isotropic(1.0 / cells));
-  ParticleSystem particles = grid_particles(cells, domain, field);
+  ParticleSystem particles = support::grid_particles(cells, domain, field);
   particles.set_level({.scale = 4.0});
   CHECK(population_demand(particles, {}) == Approx(16.0).epsilon(0.05));
-  CHECK(area_per_particle(particles) == Approx(4.0 / (0.5 * std::sqrt(3.0))).epsilon(0.01));
 }
 
 TEST_CASE("a thin layer that the mesh has not seen is demanded, though it is resolved nowhere", "[mesher][particles]") {
@@ -95,32 +89,17 @@ TEST_CASE("a thin layer that the mesh has not seen is demanded, though it is res
   const CallableField layer(
       [](const Point& p) { return Metric::from_sizes(std::abs(p.x - 0.5) < 0.008 ? 0.002 : 0.02, 0.02, 0.0); });
   const ConstantField before(Metric::isotropic(0.02));
-  ParticleSystem relaxed = grid_particles(50, domain, before);
+  ParticleSystem relaxed = support::grid_particles(50, domain, before);
   for (int i = 0; i < 4; ++i) run_fast_schedule(relaxed, {});  // a grid of squares lacks one particle in seven
   CHECK(population_demand(relaxed, {}) < 0.02);
   const ParticleSystem particles(relaxed.mesh(), domain, layer);
   CHECK(population_demand(particles, {}) > 0.1);
 }
 
-TEST_CASE("particles whose spokes cross a jump of the metric are those not resolved", "[mesher][particles]") {
-  // A grid of 60 x 60 squares; at x = 0.3, between two of its columns, sizes jump: both columns have spokes that cross
-  // the jump, with 59 free particles each.
-  const int cells = 60;
-  const double ratio = GENERATE(1.0, 1.4, 1.6, 50.0);
-  const CallableField field([&](const Point& p) {
-    const double size = p.x < 0.308 ? 1.0 / cells : ratio / cells;
-    return Metric::isotropic(size);
-  });
-  const Domain domain = support::unit_square();
-  const ParticleSystem particles = grid_particles(cells, domain, field);
-  const double crossing = 2.0 * (cells - 1.0) / particles.mesh().num_vertices();
-  CHECK(unresolved_share(particles) == Approx(ratio > 1.5 ? crossing : 0.0));
-}
-
 TEST_CASE("the limit on vertices is kept", "[mesher][particles][errors]") {
   const Domain domain = support::unit_square();
   const ConstantField field(Metric::isotropic(0.01));
-  ParticleSystem particles = grid_particles(10, domain, field);
+  ParticleSystem particles = support::grid_particles(10, domain, field);
   CHECK_THROWS_AS(create_particles(particles, {}, 150), LimitError);
   CHECK(particles.mesh().num_vertices() <= 150);
   CHECK(check(particles.mesh()).empty());
@@ -129,7 +108,7 @@ TEST_CASE("the limit on vertices is kept", "[mesher][particles][errors]") {
 TEST_CASE("collapse_if_valid never moves a corner nor leaves a segment", "[mesher][particles]") {
   const Domain domain = support::unit_square();
   const ConstantField field(Metric::isotropic(0.5));
-  ParticleSystem particles = grid_particles(6, domain, field);
+  ParticleSystem particles = support::grid_particles(6, domain, field);
   for (int pass = 0; pass < 4; ++pass) {
     for (std::int32_t q = 0; q < particles.mesh().size(); ++q)
       if (particles.mesh().is_alive(q)) collapse_if_valid(particles, {4 * q});
