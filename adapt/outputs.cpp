@@ -112,15 +112,18 @@ FolderLock prepare_folder(const std::string& path, EarlierFiles earlier) {
 }
 
 RunFolder::RunFolder(const std::string& path, const Case& input, EarlierFiles earlier)
-    : path_(path), lock_(prepare_folder(path, earlier)), case_(input) {
-  write_file(file("case.json"), input.resolved.dump(2) + "\n");
-}
+    : path_(path), lock_(prepare_folder(path, earlier)), case_(input) {}
 
 bool RunFolder::wants(const std::string& format) const {
   return std::ranges::find(case_.output.formats, format) != case_.output.formats.end();
 }
 
+void RunFolder::write_case() {
+  if (!std::exchange(has_case_, true)) write_file(file("case.json"), case_.resolved.dump(2) + "\n");
+}
+
 void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row) {
+  write_case();
   const std::string folder =
       make_subfolder(path_, "iterations/" + three_digits(static_cast<std::size_t>(row.iteration)));
   if (wants("vtu")) write_vtu(folder + "/mesh.vtu", iterate.mesh, fields_of(case_, iterate));
@@ -129,7 +132,8 @@ void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row)
   write_medit_metric(folder + "/metric.sol", iterate.metrics);
 }
 
-void RunFolder::finish(const Summary& summary, const Iterate& last) const {
+void RunFolder::finish(const Summary& summary, const Iterate& last) {
+  write_case();
   if (wants("vtu")) {
     std::vector<PvdEntry> entries;
     for (std::size_t k = 0; k < summary.iterations.size(); ++k)

@@ -25,27 +25,30 @@ FolderLock prepare_folder(const std::string& path, EarlierFiles earlier);
 /// The folder of a run, filled as the run goes on (INTERFACE: "What a run leaves in its folder").
 ///
 /// The files of the whole run (mesh.*, run.pvd, summary.json) are written by finish() only, each
-/// complete or not at all; a run that fails leaves its case and its iterations, never a summary.
+/// complete or not at all; a run that fails leaves its case and its iterations, never a summary. One that fails before
+/// its first iteration is done leaves nothing, so that the next needs no leave to overwrite it.
 class RunFolder {
  public:
-  /// Errors: as prepare_folder, and FileError when case.json cannot be written.
+  /// Errors: as prepare_folder.
   RunFolder(const std::string& path, const Case& input, EarlierFiles earlier);
 
   const std::string& path() const { return path_; }
 
-  /// iterations/NNN/, in the formats the case asks for. Errors: FileError.
+  /// iterations/NNN/, in the formats the case asks for; case.json before the first. Errors: FileError.
   void write_iteration(const Iterate& iterate, const IterationRow& row);
 
   /// The final files; summary.json last. Errors: FileError.
-  void finish(const Summary& summary, const Iterate& last) const;
+  void finish(const Summary& summary, const Iterate& last);
 
  private:
+  void write_case();
   bool wants(const std::string& format) const;
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
   std::string path_;
   FolderLock lock_;
   const Case& case_;
+  bool has_case_ = false;  // written by this run
 };
 
 }  // namespace parmesan

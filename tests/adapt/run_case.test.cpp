@@ -79,6 +79,15 @@ TEST_CASE("a run that fails leaves no summary", "[adapt][run][errors]") {
   CHECK_FALSE(folder.has("mesh.mesh"));
 }
 
+TEST_CASE("after a run that failed before its first iteration the next needs no leave to overwrite",
+          "[adapt][run][errors]") {
+  const TemporaryFolder folder("run_fails_at_once");
+  CHECK_THROWS_AS(run_case(interpolation_case("log(x - 2)", small), into(folder)), InputError);
+  CHECK_FALSE(folder.has("case.json"));
+  CHECK(run_case(interpolation_case("log(x + 2)", small), into(folder)).exit_code == 0);
+  CHECK(folder.has("case.json"));
+}
+
 TEST_CASE("exit codes tell a missed target from an interrupt", "[adapt][run]") {
   const TemporaryFolder missed("run_missed");
   const Case hopeless = interpolation_case("sin(3*x)*y^2", R"({"l2_error": 1e-9, "max_iterations": 2})");
