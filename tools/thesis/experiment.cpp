@@ -96,6 +96,7 @@ void draw(const Setting& setting, const std::string& file, const Mesh& mesh) {
 
 std::vector<std::vector<double>> histogram(const std::vector<double>& values, double low, double high, int bins) {
   std::vector<std::vector<double>> rows;
+  rows.reserve(static_cast<std::size_t>(bins));
   const double width = (high - low) / bins;
   for (int i = 0; i < bins; ++i) rows.push_back({low + (i + 0.5) * width, 0.0});
   for (const double value : values) {

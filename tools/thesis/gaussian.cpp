@@ -115,7 +115,9 @@ double scaled_error_of_equilateral_triangles(double side) {
   const double width = side / cells;
   double sum = 0.0;
   for (int i = 0; i < cells * cells; ++i) {
-    const Point p{width * (i % cells + 0.5), width * (i / cells + 0.5)};
+    const int column = i % cells;
+    const int row = i / cells;
+    const Point p{width * (column + 0.5), width * (row + 0.5)};
     const double f = gaussian_at(p);
     const double xx = (p.x * p.x - 1.0) * f, xy = p.x * p.y * f, yy = (p.y * p.y - 1.0) * f;
     const double trace = xx + yy;
