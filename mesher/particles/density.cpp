@@ -21,15 +21,16 @@ struct Density {
 Density measure_density(const ParticleSystem& particles) {
   constexpr double unit_area = 0.5 * std::numbers::sqrt3;
   const Triangulation& mesh = particles.mesh();
-  const auto is_counted = [&](VertexId v) {
-    return mesh.has_vertex(v) && particles.is_free(v) && is_resolved_at(particles, v);
-  };
-  const double count = sampled_sum(mesh.num_slots(), sample, [&](VertexId v) { return is_counted(v) ? 1.0 : 0.0; });
+  const auto is_candidate = [&](VertexId v) { return mesh.has_vertex(v) && particles.is_free(v); };
+  const double count = sampled_sum(mesh.num_slots(), sample, [&](VertexId v) {
+    return is_candidate(v) && is_resolved_at(particles, v) ? 1.0 : 0.0;
+  });
   const double stars = sampled_sum(mesh.num_slots(), sample, [&](VertexId v) {
-    if (!is_counted(v)) return 0.0;
+    if (!is_candidate(v)) return 0.0;
     Star star;
     star.gather(particles, v);
-    return star.metric_area(mesh.point(v), particles.metric(v));
+    const Point& p = mesh.point(v);
+    return star.is_resolved(p, particles.metric(v)) ? star.metric_area(p, particles.metric(v)) : 0.0;
   });
   return count > 0.0 ? Density{stars / (3.0 * count * unit_area), count} : Density{};
 }

@@ -72,3 +72,14 @@ TEST_CASE("compare_case refuses sizes that do not ascend", "[adapt][compare][err
       GENERATE(std::vector<std::int64_t>{}, std::vector<std::int64_t>{400, 400}, std::vector<std::int64_t>{2, 400});
   CHECK_THROWS_AS(compare_case(support::interpolation_case("x*x", "{}"), options), InputError);
 }
+
+TEST_CASE("a comparison that failed leaves its folder to the next", "[adapt][compare][errors]") {
+  const support::TemporaryFolder folder("compare_fails");
+  CompareOptions options;
+  options.out_dir = folder.path();
+  options.sizes = {200, 400};
+  CHECK_THROWS_AS(compare_case(support::interpolation_case("log(x - 2)", R"({"vertices": 200})"), options), InputError);
+  CHECK_FALSE(folder.has("case.json"));
+  CHECK_NOTHROW(compare_case(support::interpolation_case("log(x + 2)", R"({"vertices": 200})"), options));
+  CHECK(folder.has("case.json"));
+}
