@@ -26,6 +26,7 @@ class Gmres {
   void compute(const RowMatrix& matrix) {
     matrix_ = &matrix;  // not copied
     preconditioner_.compute(matrix);
+    info_ = preconditioner_.info();
   }
   int iterations() const { return iterations_; }
   Eigen::ComputationInfo info() const { return info_; }
@@ -33,8 +34,6 @@ class Gmres {
   Eigen::VectorXd solveWithGuess(const Eigen::VectorXd& b, const Eigen::VectorXd& guess) {
     Eigen::VectorXd x = guess;
     iterations_ = 0;
-    info_ = preconditioner_.info();
-    if (info_ != Eigen::Success) return x;
     const double goal = tolerance_ * b.norm();
     double before = HUGE_VAL;
     while (true) {

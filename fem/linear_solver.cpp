@@ -106,13 +106,17 @@ LinearResult solve_direct(const ColumnMatrix& matrix, const Eigen::VectorXd& b, 
   return result;
 }
 
-/// Iterates from the guess; x is NaN when the residual did not fall to the tolerance.
+/// Iterates from the guess; x is NaN when the preconditioner could not be made or the residual did not fall to the
+/// tolerance.
 template <class Solver>
 LinearResult solve_iteratively(Solver& solver, const RowMatrix& matrix, const Eigen::VectorXd& b,
                                const Eigen::VectorXd& guess, const char* name) {
   solver.setTolerance(IterativeTolerance);
   solver.compute(matrix);
-  LinearResult result{.x = solver.solveWithGuess(b, guess), .solver = name};
+  LinearResult result{.x = Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN()),
+                      .solver = name};
+  if (solver.info() != Eigen::Success) return result;
+  result.x = solver.solveWithGuess(b, guess);
   // Where the load is small against A x, the backward error alone would pass a solution far from converged.
   if (solver.info() != Eigen::Success) result.x.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.iterations = static_cast<int>(solver.iterations());

@@ -24,8 +24,10 @@ Row row_of(const RowMatrix& matrix, int row) {
 }
 
 /// The matrix without its weak couplings, |a_ij| <= strength sqrt(a_ii a_jj), which are added to
-/// the diagonal so that the rows keep their sums.
+/// the diagonal so that the rows keep their sums. Where nothing but round-off would be left of it, as where all
+/// couplings are weak, the diagonal stays.
 RowMatrix filter(const RowMatrix& matrix, double strength) {
+  constexpr double least_share = 1e-3;  // of the diagonal
   const Eigen::VectorXd diagonal = matrix.diagonal();
   RowMatrix filtered = matrix;
   for (int i = 0; i < matrix.rows(); ++i) {
@@ -36,7 +38,7 @@ RowMatrix filter(const RowMatrix& matrix, double strength) {
       weak += a.value();
       a.valueRef() = 0.0;
     }
-    filtered.coeffRef(i, i) += weak;
+    if (diagonal[i] + weak > least_share * diagonal[i]) filtered.coeffRef(i, i) += weak;
   }
   filtered.prune([](Eigen::Index row, Eigen::Index col, double value) { return row == col || value != 0.0; });
   return filtered;

@@ -188,6 +188,39 @@ TEST_CASE("a multigrid cycle reduces the error on round and on stretched meshes"
   CHECK((system.load - system.matrix * x).norm() < 1e-3 * system.load.norm());
 }
 
+TEST_CASE("multigrid bears unknowns that are coupled to nothing else strongly", "[fem][solver][multigrid]") {
+  // Pockets one vertex wide that hardly conduct: their rows sum to 0, so all of the diagonal is weak couplings.
+  const Mesh mesh = rectangle_mesh(64, 64);
+  Problem problem = poisson();
+  problem.diffusion = [](const Point& p, int) {
+    const auto in_pocket = [](double x) { return static_cast<int>(64.0 * x) % 8 < 2; };
+    const double k = in_pocket(p.x) && in_pocket(p.y) ? 1e-6 : 1.0;
+    return Diffusion{k, 0.0, k};
+  };
+  const ReducedSystem system = reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+  AggregationMultigrid multigrid;
+  multigrid.compute(system.matrix);
+  REQUIRE(multigrid.info() == Eigen::Success);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.load.size());
+  for (int cycle = 0; cycle < 20; ++cycle) x += multigrid.solve(system.load - system.matrix * x);
+  CHECK((system.load - system.matrix * x).norm() < 1e-3 * system.load.norm());
+}
+
+TEST_CASE("a preconditioner that cannot be made is followed by a direct method", "[fem][solver][errors]") {
+  const RowMatrix zeros(3, 3);
+  const MatrixKind kind{.symmetric = true, .definite = true};
+  for (const auto preconditioner : {Preconditioner::Multigrid, Preconditioner::IncompleteLu, Preconditioner::Jacobi}) {
+    for (const auto method : {SolverMethod::Cg, SolverMethod::BiCgStab, SolverMethod::Gmres}) {
+      if (method == SolverMethod::Cg && preconditioner == Preconditioner::IncompleteLu) continue;
+      SolverOptions options;
+      options.method = method;
+      options.preconditioner = preconditioner;
+      CHECK_THROWS_AS(solve_linear(zeros, Eigen::VectorXd::Ones(3), kind, Eigen::VectorXd::Zero(3), options),
+                      SolveError);
+    }
+  }
+}
+
 TEST_CASE("iterative solvers agree with direct ones", "[fem][solver][slow]") {
   // 350^2 cells are beyond the size at which iterations begin; the error of P1 is the oracle.
   const Mesh mesh = bent_square(350);
