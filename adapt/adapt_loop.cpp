@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "adapt/influence.h"
 #include "adapt/number_text.h"
 #include "adapt/stopwatch.h"
 #include "mesher/errors.h"
+#include "mesher/metric/tensor_interpolant.h"
 
 namespace parmesan {
 namespace {
@@ -250,6 +252,7 @@ class Loop {
     request.isotropic = options_.isotropic;
     request.complexity = complexity_for_vertices(asked) * calibration();
     const SecondDerivatives derivatives = second_derivatives(case_, state_.last);
+    if (bounds_aspects(request)) request.influence = influence_at(state_.last.mesh);
     const HessianMetric metric = next_metric(derivatives, request);
     StageSeconds& seconds = state_.summary.iterations.back().seconds;
     seconds.recover = recover.seconds();
@@ -278,9 +281,31 @@ class Loop {
     MetricRequest for_goal = request;
     for_goal.measure = ErrorMeasure::Lp;
     for_goal.options.norm = 1.0;
+    for_goal.influence.clear();
     HessianMetric goal = metric_from_hessians(mesh, derivatives.goal, for_goal);
     if (!declares_norm_target(case_.targets)) return goal;
     return intersected(mesh, goal, metric_from_hessians(mesh, derivatives.absolute, request), request);
+  }
+
+  // What Galerkin's method adds to the interpolation error is small in H1, and part of a goal's metric.
+  bool bounds_aspects(const MetricRequest& request) const {
+    const bool for_norm = !case_.goal || declares_norm_target(case_.targets);
+    return case_.metric.automatic_aspect && for_norm && request.measure == ErrorMeasure::Lp && !request.isotropic;
+  }
+
+  // It varies as slowly as the distance to the boundary, so it is computed once, on a mesh of its own.
+  std::vector<SymmetricTensor> influence_at(const Mesh& mesh) {
+    constexpr std::int64_t enough_vertices = 2000;
+    if (!influence_) {
+      const auto vertices = static_cast<double>(std::min(enough_vertices, options_.max_vertices / 2));
+      const Mesh coarse = uniform_iterate(case_, vertices).mesh;
+      influence_.emplace(coarse, influence(coarse, case_.problem));
+    }
+    std::vector<SymmetricTensor> result;
+    result.reserve(mesh.points.size());
+    MetricHint hint;
+    for (const Point& p : mesh.points) result.push_back(influence_->at(p, hint));
+    return result;
   }
 
   // Complexity asked for per complexity that the vertices obtained stand for: boundary vertices make
@@ -294,6 +319,7 @@ class Loop {
   Case case_;
   const LoopOptions& options_;
   SizeGoal goal_;
+  std::optional<TensorInterpolant> influence_;
   Stopwatch lap_;  // since the last row
   LoopState state_;
 };

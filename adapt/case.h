@@ -28,6 +28,7 @@ struct MetricOptions {
   double h_min = 0.0;                            // smallest size, L; 0: none
   double h_max = 0.0;                            // largest size, L; 0: a quarter of the domain's diameter
   double max_aspect = 1e6;                       // largest ratio of the two sizes
+  bool automatic_aspect = false;                 // "automatic": bounded where the solution asks for it (aspect_bound.h)
   double gradation = 0.0;                        // growth of size per unit metric length; 0: none
   std::optional<Expression> h_min_at, h_max_at;  // in place of the constants where sizes vary
 };

@@ -99,7 +99,10 @@ void read_metric(CaseReading& reading, Json& section, Case& result) {
   metric.h_max = h_max.constant;
   metric.h_min_at = std::move(h_min.varying);
   metric.h_max_at = std::move(h_max.varying);
-  metric.max_aspect = section["max_aspect"].get<double>();
+  if (!section.contains("max_aspect"))
+    section["max_aspect"] = result.interpolation ? Json(metric.max_aspect) : "automatic";
+  metric.automatic_aspect = section["max_aspect"] == "automatic" && !result.interpolation;
+  if (section["max_aspect"].is_number()) metric.max_aspect = section["max_aspect"].get<double>();
   metric.gradation = section["gradation"].get<double>();
   if (metric.h_max > 0.0 && metric.h_min > metric.h_max) {
     reading.issues.add("/metric/h_min", "must not be larger than 'h_max'");

@@ -324,8 +324,8 @@ constexpr const char* kSchema = R"schema({
                    "description": "smallest size, may vary with x and y; 0: none" },
         "h_max": { "$ref": "#/$defs/scalar", "minimum": 0, "default": 0,
                    "description": "largest size, may vary with x and y; 0: a quarter of the domain's diameter" },
-        "max_aspect": { "$ref": "#/$defs/constant", "minimum": 1, "default": 1000000,
-                        "description": "largest ratio of the two sizes" },
+        "max_aspect": { "anyOf": [{ "enum": ["automatic"] }, { "$ref": "#/$defs/constant", "minimum": 1 }],
+                        "description": "largest ratio of the two sizes; default: automatic for solutions (as long as their L2 error gains), 1000000 for given functions" },
         "gradation": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0,
                        "description": "growth of size per unit metric length, above 1; 0: none" }
       }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "adapt/aspect_bound.h"
 #include "adapt/size_limits.h"
 #include "mesher/errors.h"
 #include "mesher/metric/gradation.h"
@@ -30,9 +31,8 @@ double density_degree(const MetricRequest& request) {
 
 /// The ratio of the eigenvalues over that of the largest aspect, 1 where the aspect is within it. A signed t stands for
 /// the second derivatives +-(1, t) that triangles equilateral in the metric see.
-double ratio_to_bound(const Eigen2& e, const MetricRequest& request) {
-  const double bound = request.options.max_aspect * request.options.max_aspect;
-  return std::min(1.0, bound * std::min(e.l1, e.l2) / std::max(e.l1, e.l2));
+double ratio_to_bound(const Eigen2& e, double max_aspect) {
+  return std::min(1.0, max_aspect * max_aspect * std::min(e.l1, e.l2) / std::max(e.l1, e.l2));
 }
 
 /// The best density for second derivatives (1, t) relative to that for (1, 1), (kappa(t) / kappa(1))^(p / (p + 1)).
@@ -46,19 +46,19 @@ double density_factor(double t, const MetricRequest& request) {
   return std::pow(sign_factor(request.options.norm), -std::log2(squared) / 3.0);
 }
 
-double sign_scaling(const AbsoluteHessian& hessian, double t, const MetricRequest& request) {
+double sign_scaling(double negative_share, double t, const MetricRequest& request) {
   if (request.options.kind != MetricKind::SignAware || request.isotropic) return 1.0;
   const double positive = density_factor(t, request);
-  return positive * std::pow(density_factor(-t, request) / positive, hessian.negative_share);
+  return positive * std::pow(density_factor(-t, request) / positive, negative_share);
 }
 
-/// The factor is that of the eigenvalues that max_aspect leaves; limit_sizes raises the smaller one itself.
-Eigen2 scaled_eigen(const AbsoluteHessian& hessian, double floor, const MetricRequest& request) {
-  Eigen2 e = floored(hessian, floor, request.isotropic);
-  const double t = ratio_to_bound(e, request);
+/// e: of |H| with the floor. The factor is that of the eigenvalues that max_aspect leaves; limit_sizes raises the
+/// smaller one itself.
+Eigen2 scaled_eigen(Eigen2 e, double negative_share, double max_aspect, const MetricRequest& request) {
+  const double t = ratio_to_bound(e, max_aspect);
   const double det = e.l1 * e.l2 / t;
   const double trace = std::max(e.l1, e.l2) + std::min(e.l1, e.l2) / t;
-  double factor = sign_scaling(hessian, t, request);
+  double factor = sign_scaling(negative_share, t, request);
   if (request.measure == ErrorMeasure::H1) {
     factor *= std::sqrt(trace) * std::pow(det, -0.25);
   } else if (!std::isinf(request.options.norm)) {
@@ -74,6 +74,17 @@ struct Limits {
   std::vector<SizeLimits> sizes;
   double gradation = 0.0;
 };
+
+Limits limits_of(const Mesh& mesh, const MetricRequest& request) {
+  return {size_limits(mesh, request.options), request.options.gradation};
+}
+
+void bound_aspects(const Mesh& mesh, std::span<const Eigen2> hessians, const MetricRequest& request, Limits& limits) {
+  const std::vector<double> bounds =
+      aspect_bounds(hessians, vertex_areas(mesh), request.influence, request.options.norm);
+  for (std::size_t v = 0; v < bounds.size(); ++v)
+    limits.sizes[v].max_aspect = std::min(limits.sizes[v].max_aspect, bounds[v]);
+}
 
 std::vector<Eigen2> multiplied(std::span<const Eigen2> shapes, double factor) {
   std::vector<Eigen2> result(shapes.begin(), shapes.end());
@@ -140,8 +151,8 @@ Clipped graded(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, 
 }
 
 // Limits, gradation and complexity.
-HessianMetric of_shapes(const Mesh& mesh, std::span<const Eigen2> shapes, const MetricRequest& request) {
-  const Limits limits{size_limits(mesh, request.options), request.options.gradation};
+HessianMetric of_shapes(const Mesh& mesh, std::span<const Eigen2> shapes, const Limits& limits,
+                        const MetricRequest& request) {
   HessianMetric result;
   double factor = 1.0;
   Gradation last = rescaled(mesh, shapes, request.complexity, limits, factor);
@@ -204,7 +215,8 @@ double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessi
 }
 
 SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, const MetricRequest& request) {
-  return compose(scaled_eigen(hessian, floor, request));
+  const Eigen2 e = floored(hessian, floor, request.isotropic);
+  return compose(scaled_eigen(e, hessian.negative_share, request.options.max_aspect, request));
 }
 
 HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHessian> hessians,
@@ -213,8 +225,12 @@ HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHes
   const double floor = eigenvalue_floor(mesh, hessians, request);
   std::vector<Eigen2> shapes;
   shapes.reserve(hessians.size());
-  for (const AbsoluteHessian& h : hessians) shapes.push_back(scaled_eigen(h, floor, request));
-  HessianMetric result = of_shapes(mesh, shapes, request);
+  for (const AbsoluteHessian& h : hessians) shapes.push_back(floored(h, floor, request.isotropic));
+  Limits limits = limits_of(mesh, request);
+  if (!request.influence.empty()) bound_aspects(mesh, shapes, request, limits);
+  for (std::size_t v = 0; v < shapes.size(); ++v)
+    shapes[v] = scaled_eigen(shapes[v], hessians[v].negative_share, limits.sizes[v].max_aspect, request);
+  HessianMetric result = of_shapes(mesh, shapes, limits, request);
   result.floor = floor;
   return result;
 }
@@ -226,7 +242,7 @@ HessianMetric intersected(const Mesh& mesh, const HessianMetric& a, const Hessia
   for (std::size_t v = 0; v < a.metrics.size(); ++v) {
     shapes.push_back(eigen_decomposition(intersect(a.metrics[v], b.metrics[v]).tensor()));
   }
-  return of_shapes(mesh, shapes, request);
+  return of_shapes(mesh, shapes, limits_of(mesh, request), request);
 }
 
 }  // namespace parmesan

@@ -19,8 +19,9 @@ enum class ErrorMeasure { Lp, H1 };
 struct MetricRequest {
   MetricOptions options;
   ErrorMeasure measure = ErrorMeasure::Lp;
-  bool isotropic = false;      // the best metric of the form s I, from the largest |eigenvalue|
-  double complexity = 1000.0;  // integral of sqrt(det M) asked for
+  bool isotropic = false;                  // the best metric of the form s I, from the largest |eigenvalue|
+  double complexity = 1000.0;              // integral of sqrt(det M) asked for
+  std::vector<SymmetricTensor> influence;  // per vertex, of `influence`: bounds aspects where there is one
 };
 
 /// A metric per vertex and what the limits did to it.

@@ -158,7 +158,7 @@ SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) 
   if (at_size) return {last.asked, StopReason::Vertices};
   if (at_cap) return {last.asked, StopReason::VertexBudget};
   if (aimless) return {last.asked, StopReason::Unchanged};
-  if (stagnated(history)) return {last.asked, StopReason::Stagnated};
+  if (goal.error_targets && stagnated(history)) return {last.asked, StopReason::Stagnated};
   return {std::clamp(wanted, last.asked, largest_growth(history) * last.asked), std::nullopt};
 }
 

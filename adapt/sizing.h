@@ -60,8 +60,8 @@ double observed_order(std::span<const SizeStep> history);
 /// twice
 ///   and as long as 3 of max_passes are left to come back if the prediction was wrong.
 ///
-/// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (4 passes in which the error did not fall
-/// by 2 %), or Unchanged when nothing is aimed at and the first size has settled.
+/// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (with error targets: 4 passes in which the error did not
+/// fall by 2 %), or Unchanged when nothing is aimed at and the first size has settled.
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal);
 
 }  // namespace parmesan

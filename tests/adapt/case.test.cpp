@@ -42,7 +42,24 @@ TEST_CASE("parse_case fills in every default", "[adapt][case]") {
   CHECK(c.resolved["problem"]["diffusion"] == 1);
   CHECK(c.resolved["problem"]["source"] == 0);
   CHECK(c.resolved["name"] == "heat");
-  CHECK(c.resolved["metric"]["max_aspect"] == 1000000);
+  CHECK(c.resolved["metric"]["max_aspect"] == "automatic");
+  CHECK(c.metric.automatic_aspect);
+}
+
+TEST_CASE("aspects are bounded automatically for solutions only, and as far as no number is given", "[adapt][case]") {
+  const auto with = [](const std::string& problem, const std::string& metric) {
+    return parse_case(case_text(problem, R"(, "metric": {)" + metric + "}"), "a.json");
+  };
+  const std::string heat = R"("source": 1, "boundary": {"*": {"dirichlet": 0}})";
+  const std::string given = R"("interpolate": "x^2")";
+  CHECK(with(heat, R"("max_aspect": "automatic")").metric.automatic_aspect);
+  CHECK_FALSE(with(heat, R"("max_aspect": "2*50")").metric.automatic_aspect);
+  CHECK(with(heat, R"("max_aspect": "2*50")").metric.max_aspect == 100.0);
+  CHECK_FALSE(with(given, "").metric.automatic_aspect);
+  CHECK(with(given, "").resolved["metric"]["max_aspect"] == 1e6);
+  CHECK_FALSE(with(given, R"("max_aspect": "automatic")").metric.automatic_aspect);
+  CHECK_THROWS_AS(with(heat, R"("max_aspect": "auto")"), CaseError);
+  CHECK_THROWS_AS(with(heat, R"("max_aspect": 0.5)"), CaseError);
 }
 
 TEST_CASE("A resolved case read again is the same case", "[adapt][case]") {

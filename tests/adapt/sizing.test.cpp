@@ -166,6 +166,21 @@ TEST_CASE("next_size gives up when more vertices do not help", "[adapt][sizing]"
   CHECK(stop == StopReason::Stagnated);
 }
 
+TEST_CASE("next_size goes on to a size aimed at whatever the error does", "[adapt][sizing]") {
+  // Errors that are but estimated grow where the meshes begin to see a layer.
+  const bool is_cap = GENERATE(false, true);
+  const SizeGoal goal = is_cap ? SizeGoal{false, std::nullopt, 16000.0} : to_size;
+  std::vector<SizeStep> history{{400, 400, 10, false}, {400, 400, 1}, {400, 400, 1}, {400, 400, 1}};
+  std::optional<StopReason> stop;
+  for (int pass = 0; pass < 40 && !stop; ++pass) {
+    const SizeDecision d = next_size(history, goal);
+    stop = d.stop;
+    history.push_back({d.asked, d.asked, 5});
+  }
+  CHECK(stop == (is_cap ? StopReason::VertexBudget : StopReason::Vertices));
+  CHECK(history.back().asked == 16000);
+}
+
 TEST_CASE("next_size ends at the first size when nothing is aimed at", "[adapt][sizing]") {
   const std::vector<SizeStep> history{{400, 400, 2, false}, {400, 400, 1}, {400, 400, 1}, {400, 400, 0.99}};
   CHECK(next_size(history, SizeGoal{}).stop == StopReason::Unchanged);

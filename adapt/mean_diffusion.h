@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/problem.h"
+#include "mesher/mesh.h"
+#include "mesher/metric/symmetric_tensor.h"
+
+namespace parmesan {
+
+/// The diffusion at the centroids, its mean over the triangles around each vertex. Errors: as diffusion_at. Cost: O(n).
+std::vector<SymmetricTensor> mean_diffusions(const Mesh& mesh, const Problem& problem);
+
+}  // namespace parmesan
