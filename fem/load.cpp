@@ -140,6 +140,11 @@ struct Children {
   }
 };
 
+/// What all triangles together may lose by jumps that their points do not see.
+double negligible_jump(double global, std::size_t num_triangles) {
+  return 0.1 * global * static_cast<double>(num_triangles);
+}
+
 /// The corners of a part see a jump that its points do not, and what that can cost is not negligible.
 bool hides_jump(const Sample& sample, double negligible) {
   return sample.corner_spread > std::max(3.0 * sample.spread, negligible);
@@ -168,7 +173,7 @@ void add(const SourceMoments& part, SourceMoments& sum) {
 void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open, const LoadAccuracy& accuracy,
             double global, std::vector<SourceMoments>& result) {
   const bool with_corners = accuracy.min_depth > 0;
-  const double negligible = 0.1 * global * static_cast<double>(result.size());
+  const double negligible = negligible_jump(global, result.size());
   for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
     const std::vector<SampledPart> parents = std::exchange(open, {});
     std::vector<Children> families(parents.size());
@@ -188,20 +193,22 @@ void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> o
   for (const SampledPart& part : open) add(part.sample.moments, result[part.triangle]);
 }
 
-/// The orbits differ; for functions that jump also: the points do.
-bool is_rough(const Sample& sample, const LoadAccuracy& accuracy, double global) {
+/// The orbits differ; for functions that jump also: the points do, or the corners differ from all of them.
+bool is_rough(const Sample& sample, const LoadAccuracy& accuracy, double global, double negligible) {
   if (sample.orbit_error > std::max(global, OrbitFactor * accuracy.tolerance * sample.magnitude)) return true;
-  return accuracy.min_depth > 0 && sample.spread > std::max(global, 0.5 * sample.magnitude);
+  if (accuracy.min_depth == 0) return false;
+  return sample.spread > std::max(global, 0.5 * sample.magnitude) || hides_jump(sample, negligible);
 }
 
 /// 1 for the triangles whose orbits differ and for those that share an edge (or a vertex) with one: where a layer
 /// crosses triangles that do not resolve it, the orbits of a few agree by chance.
 std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sample>& samples,
                                        const LoadAccuracy& accuracy, double global) {
+  const double negligible = negligible_jump(global, samples.size());
   const std::ptrdiff_t shared = accuracy.min_depth > 0 ? 1 : 2;
   std::vector<char> rough_vertex(static_cast<std::size_t>(mesh.num_vertices()), 0);
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    if (!is_rough(samples[t], accuracy, global)) continue;
+    if (!is_rough(samples[t], accuracy, global, negligible)) continue;
     for (const int v : mesh.triangles[t]) rough_vertex[static_cast<std::size_t>(v)] = 1;
   }
   std::vector<char> result(samples.size());
