@@ -15,16 +15,49 @@ namespace {
 
 constexpr double MaxMismatch = 5e-3;
 
+/// Everything fixed at 0 but the vertices of the components.
+FixedVertices all_but(const NullSpace& null_space, std::size_t num_vertices) {
+  FixedVertices fixed{std::vector<char>(num_vertices, 1), std::vector<double>(num_vertices, 0.0)};
+  for (const std::vector<int>& component : null_space.components) {
+    for (const int v : component) fixed.fixed[static_cast<std::size_t>(v)] = 0;
+  }
+  return fixed;
+}
+
+/// The left null vector of each component up to a factor, by a step of inverse iteration from the masses.
+Eigen::VectorXd inverse_iterate(const NullSpace& null_space, const AssembledSystem& system) {
+  constexpr double relative_shift = 1e-7;  // far below the other eigenvalues; 1e-14 would pass for a singular matrix
+  const double shift = relative_shift * system.matrix.diagonal().sum() / system.mass.sum();
+  AssembledSystem shifted;
+  shifted.matrix = system.matrix.transpose();
+  shifted.matrix += RowMatrix((shift * system.mass).asDiagonal());
+  shifted.load = system.mass;
+  const auto n = static_cast<std::size_t>(system.load.size());
+  const ReducedSystem reduced = reduce(shifted, all_but(null_space, n));
+  const Eigen::VectorXd guess = Eigen::VectorXd::Zero(reduced.load.size());
+  const Eigen::VectorXd x = solve_linear(reduced.matrix, reduced.load, {.peclet_max = system.peclet_max}, guess).x;
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(system.load.size());
+  for (std::size_t i = 0; i < reduced.vertices.size(); ++i) w[reduced.vertices[i]] = x[static_cast<Eigen::Index>(i)];
+  return w;
+}
+
+/// Puts the vertex first where the left null vector is largest: where it is small, with velocities nearly everywhere,
+/// the equation that is left out there does not follow from the others.
+void hold_where_felt(const AssembledSystem& system, NullSpace& null_space) {
+  if (system.symmetric || null_space.components.empty()) return;
+  const Eigen::VectorXd w = inverse_iterate(null_space, system);
+  for (std::vector<int>& component : null_space.components) {
+    const auto most = std::ranges::max_element(component, {}, [&w](int v) { return std::abs(w[v]); });
+    std::iter_swap(component.begin(), most);
+  }
+}
+
 /// w with w^T A = 0 and w = 1 at the first vertex of each component; 0 on the other components.
 Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSystem& system) {
-  const auto n = static_cast<std::size_t>(system.load.size());
-  FixedVertices fixed{std::vector<char>(n, 1), std::vector<double>(n, 0.0)};
+  FixedVertices fixed = all_but(null_space, static_cast<std::size_t>(system.load.size()));
   Eigen::VectorXd w = Eigen::VectorXd::Zero(system.load.size());
   for (const std::vector<int>& component : null_space.components) {
-    for (const int v : component) {
-      fixed.fixed[static_cast<std::size_t>(v)] = 0;
-      w[v] = 1.0;
-    }
+    for (const int v : component) w[v] = 1.0;
     fixed.fixed[static_cast<std::size_t>(component.front())] = 1;
     fixed.values[static_cast<std::size_t>(component.front())] = 1.0;
   }
@@ -67,7 +100,9 @@ NullSpace find_null_space(const Mesh& mesh, const AssembledSystem& system, const
     if (!anchored[c]) vertices[c].push_back(static_cast<int>(v));
   }
   std::erase_if(vertices, [](const std::vector<int>& list) { return list.empty(); });
-  return {std::move(vertices)};
+  NullSpace null_space{std::move(vertices)};
+  hold_where_felt(system, null_space);
+  return null_space;
 }
 
 double balance_load(const Mesh& mesh, const NullSpace& null_space, AssembledSystem& system) {

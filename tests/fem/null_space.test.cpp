@@ -103,6 +103,28 @@ TEST_CASE("pure Neumann with a velocity is handled by the left null vector", "[f
   }
 }
 
+TEST_CASE("pure Neumann with a velocity that dominates is held where the null vector is felt",
+          "[fem][solve][nullspace]") {
+  // w = exp(-b x) falls by 43 digits, one way or the other.
+  const double b = GENERATE(-100.0, 100.0);
+  Problem problem = unit_poisson();
+  set_all(problem, neumann({}));
+  problem.velocity = [b](const Point&, int) { return Vector{b, 0.0}; };
+  const Mesh mesh = rectangle_mesh(1024, 2);
+  SECTION("compatible") {
+    // u = x^2/2 - x^3/3 - 1/12 has no flux at 0 and 1.
+    problem.source = [b](const Point& p, int) { return -1.0 + 2.0 * p.x + b * (p.x - p.x * p.x); };
+    const Solution solution = solve(mesh, problem);
+    CHECK(solution.report.null_components == 1);
+    const auto exact = [](const Point& p) { return p.x * p.x / 2 - p.x * p.x * p.x / 3 - 1.0 / 12; };
+    CHECK(largest_error(mesh, solution.values, exact) < 2e-3);  // triangles 512 times as long as high
+  }
+  SECTION("incompatible") {
+    problem.source = [](const Point&, int) { return 1.0; };
+    CHECK(refusal(mesh, problem).find("do not balance") != std::string::npos);
+  }
+}
+
 TEST_CASE("each component of a mesh is anchored or fixed by itself", "[fem][solve][nullspace]") {
   // Left part: Dirichlet with u = linear. Right part, labels + 10: pure Neumann with flux 1 in, 1 out.
   const Mesh mesh = joined(rectangle_mesh(6, 6), rectangle_mesh(6, 6, {2, 0}, {3, 1}), 10);
