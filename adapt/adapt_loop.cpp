@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "adapt/influence.h"
-#include "adapt/number_text.h"
+#include "adapt/loop_warnings.h"
 #include "adapt/stopwatch.h"
 #include "mesher/errors.h"
 #include "mesher/metric/tensor_interpolant.h"
@@ -35,31 +35,6 @@ SizeGoal size_goal(const Targets& targets) {
 }
 
 bool same_mesh(const Mesh& a, const Mesh& b) { return a.points == b.points && a.triangles == b.triangles; }
-
-// "h_max at 12 vertices in [0, 1] x [0.5, 1]"
-std::string limit_text(const char* name, const Clipped& clipped) {
-  const auto range = [](double low, double high) {
-    return "[" + short_number(low, 4) + ", " + short_number(high, 4) + "]";
-  };
-  return std::string(name) + " at " + std::to_string(clipped.count) + " vertices in " +
-         range(clipped.low.x, clipped.high.x) + " x " + range(clipped.low.y, clipped.high.y);
-}
-
-// The limits that can have made a mesh too small, or too large.
-std::string limits_text(const ClippedSizes& clipped, bool too_small) {
-  std::string text;
-  const auto add = [&text](const char* name, const Clipped& limit) {
-    if (limit.count > 0) text += (text.empty() ? "" : ", ") + limit_text(name, limit);
-  };
-  if (too_small) {
-    add("h_min", clipped.h_min);
-  } else {
-    add("h_max", clipped.h_max);
-    add("max_aspect", clipped.aspect);
-    add("gradation", clipped.gradation);
-  }
-  return text;
-}
 
 /// Runs the loop from the state it is given, or from the start.
 class Loop {
@@ -89,11 +64,10 @@ class Loop {
     }
     if (decision.stop && *decision.stop != StopReason::Interrupted && return_to_met())
       decision.stop = StopReason::ErrorTarget;
-    warn_of_size();
-    warn_of_misfits();
-    warn_of_nonfinite();
-    warn_of_unresolved();
     Summary& summary = state_.summary;
+    const std::optional<std::int64_t> aimed = goal_.vertices ? case_.targets.vertices : std::nullopt;
+    for (std::string& warning : warnings_of_last(summary.iterations.back(), aimed))
+      summary.warnings.push_back(std::move(warning));
     summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
     if (summary.stop_reason == StopReason::ErrorTarget && case_.targets.goal_error)
       summary.stop_reason = StopReason::GoalTarget;
@@ -185,46 +159,6 @@ class Loop {
     return decision;
   }
 
-  // Where the size aimed at was not hit: by how much, and which limits keep it away, and where.
-  void warn_of_size() {
-    const IterationRow& last = state_.summary.iterations.back();
-    const auto got = static_cast<double>(last.vertices);
-    if (!goal_.vertices || std::abs(got - *goal_.vertices) <= size_tolerance * *goal_.vertices) return;
-    std::string sentence = "the mesh has " + std::to_string(last.vertices) + " vertices, not the " +
-                           std::to_string(*case_.targets.vertices) + " aimed at";
-    const std::string limits = limits_text(last.clipped, got < *goal_.vertices);
-    if (!limits.empty()) sentence += "; limits forbid it: " + limits;
-    state_.summary.warnings.push_back(sentence);
-  }
-
-  // Of the last mesh only: those on the way to it are not what the user gets.
-  void warn_of_misfits() {
-    const Diagnosis& diagnosis = state_.last.report.diagnosis;
-    if (satisfies_metric(diagnosis)) return;
-    for (std::string& sentence : sentences(diagnosis)) state_.summary.warnings.push_back(std::move(sentence));
-  }
-
-  // Of an exact function that is infinite somewhere inside: its errors are those of the rest.
-  void warn_of_nonfinite() {
-    const IterationRow& last = state_.summary.iterations.back();
-    const std::optional<ErrorNorms>& error = last.solution_error ? last.solution_error : last.interpolation_error;
-    if (!error || error->num_nonfinite == 0) return;
-    state_.summary.warnings.push_back("the exact function or its gradient is not finite at " +
-                                      std::to_string(error->num_nonfinite) +
-                                      " quadrature points of the last mesh; the errors leave them out");
-  }
-
-  // Where errors are but estimated: residuals far above the recovered gradient's estimate. On meshes that resolve the
-  // data they are 0.7 to 1 of it.
-  void warn_of_unresolved() {
-    constexpr double far_above = 1.5;
-    const IterationRow& last = state_.summary.iterations.back();
-    if (last.solution_error || !last.residual_h1 || *last.residual_h1 <= far_above * last.estimated_error->h1) return;
-    state_.summary.warnings.push_back("the last mesh may not resolve the data: its residuals tell of an H1 error of " +
-                                      short_number(*last.residual_h1, 3) + ", the recovered gradient of " +
-                                      short_number(last.estimated_error->h1, 3));
-  }
-
   std::optional<StopReason> budget_spent() const {
     if (interrupted()) return StopReason::Interrupted;
     if (state_.unchanged) return StopReason::Unchanged;
@@ -252,7 +186,6 @@ class Loop {
     request.isotropic = options_.isotropic;
     request.complexity = complexity_for_vertices(asked) * calibration();
     const SecondDerivatives derivatives = second_derivatives(case_, state_.last);
-    if (bounds_aspects(request)) request.influence = influence_at(state_.last.mesh);
     const HessianMetric metric = next_metric(derivatives, request);
     StageSeconds& seconds = state_.summary.iterations.back().seconds;
     seconds.recover = recover.seconds();
@@ -275,22 +208,21 @@ class Loop {
   }
 
   // For the norms, for the goal, or for both where targets of both are declared.
-  HessianMetric next_metric(const SecondDerivatives& derivatives, const MetricRequest& request) const {
-    const Mesh& mesh = *derivatives.mesh;
-    if (!case_.goal) return metric_from_hessians(mesh, derivatives.absolute, request);
+  HessianMetric next_metric(const SecondDerivatives& derivatives, const MetricRequest& request) {
+    if (!case_.goal) return norm_metric(derivatives, request);
     MetricRequest for_goal = request;
     for_goal.measure = ErrorMeasure::Lp;
     for_goal.options.norm = 1.0;
-    for_goal.influence.clear();
-    HessianMetric goal = metric_from_hessians(mesh, derivatives.goal, for_goal);
+    HessianMetric goal = metric_from_hessians(*derivatives.mesh, derivatives.goal, for_goal);
     if (!declares_norm_target(case_.targets)) return goal;
-    return intersected(mesh, goal, metric_from_hessians(mesh, derivatives.absolute, request), request);
+    return intersected(*derivatives.mesh, goal, norm_metric(derivatives, request), request);
   }
 
-  // What Galerkin's method adds to the interpolation error is small in H1, and part of a goal's metric.
-  bool bounds_aspects(const MetricRequest& request) const {
-    const bool for_norm = !case_.goal || declares_norm_target(case_.targets);
-    return case_.metric.automatic_aspect && for_norm && request.measure == ErrorMeasure::Lp && !request.isotropic;
+  // What Galerkin's method adds to the interpolation error is small in H1: only for L_p does it bound aspects.
+  HessianMetric norm_metric(const SecondDerivatives& derivatives, MetricRequest request) {
+    const bool bounds_aspects = case_.metric.automatic_aspect && request.measure == ErrorMeasure::Lp;
+    if (bounds_aspects && !request.isotropic) request.influence = influence_at(*derivatives.mesh);
+    return metric_from_hessians(*derivatives.mesh, derivatives.absolute, request);
   }
 
   // It varies as slowly as the distance to the boundary, so it is computed once, on a mesh of its own.

@@ -24,6 +24,18 @@ FixedVertices all_but(const NullSpace& null_space, std::size_t num_vertices) {
   return fixed;
 }
 
+/// A nonsymmetric system with these vertices fixed; the first guess is a constant.
+Eigen::VectorXd solve_nonsymmetric(const AssembledSystem& system, const FixedVertices& fixed, double peclet_max,
+                                   double guess) {
+  const ReducedSystem reduced = reduce(system, fixed);
+  const Eigen::VectorXd start = Eigen::VectorXd::Constant(reduced.load.size(), guess);
+  const Eigen::VectorXd x = solve_linear(reduced.matrix, reduced.load, {.peclet_max = peclet_max}, start).x;
+  Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(fixed.values.data(), system.load.size());
+  for (std::size_t i = 0; i < reduced.vertices.size(); ++i)
+    values[reduced.vertices[i]] = x[static_cast<Eigen::Index>(i)];
+  return values;
+}
+
 /// The left null vector of each component up to a factor, by a step of inverse iteration from the masses.
 Eigen::VectorXd inverse_iterate(const NullSpace& null_space, const AssembledSystem& system) {
   constexpr double relative_shift = 1e-7;  // far below the other eigenvalues; 1e-14 would pass for a singular matrix
@@ -32,13 +44,8 @@ Eigen::VectorXd inverse_iterate(const NullSpace& null_space, const AssembledSyst
   shifted.matrix = system.matrix.transpose();
   shifted.matrix += RowMatrix((shift * system.mass).asDiagonal());
   shifted.load = system.mass;
-  const auto n = static_cast<std::size_t>(system.load.size());
-  const ReducedSystem reduced = reduce(shifted, all_but(null_space, n));
-  const Eigen::VectorXd guess = Eigen::VectorXd::Zero(reduced.load.size());
-  const Eigen::VectorXd x = solve_linear(reduced.matrix, reduced.load, {.peclet_max = system.peclet_max}, guess).x;
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(system.load.size());
-  for (std::size_t i = 0; i < reduced.vertices.size(); ++i) w[reduced.vertices[i]] = x[static_cast<Eigen::Index>(i)];
-  return w;
+  const FixedVertices fixed = all_but(null_space, static_cast<std::size_t>(system.load.size()));
+  return solve_nonsymmetric(shifted, fixed, system.peclet_max, 0.0);
 }
 
 /// Puts the vertex first where the left null vector is largest: where it is small, with velocities nearly everywhere,
@@ -65,11 +72,7 @@ Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSys
   AssembledSystem transposed;
   transposed.matrix = system.matrix.transpose();
   transposed.load.setZero(system.load.size());
-  const ReducedSystem reduced = reduce(transposed, fixed);
-  const Eigen::VectorXd guess = Eigen::VectorXd::Ones(reduced.load.size());
-  const Eigen::VectorXd x = solve_linear(reduced.matrix, reduced.load, {.peclet_max = system.peclet_max}, guess).x;
-  for (std::size_t i = 0; i < reduced.vertices.size(); ++i) w[reduced.vertices[i]] = x[static_cast<Eigen::Index>(i)];
-  return w;
+  return solve_nonsymmetric(transposed, fixed, system.peclet_max, 1.0);
 }
 
 [[noreturn]] void refuse(const Mesh& mesh, const std::vector<int>& component, double mismatch, double magnitude) {

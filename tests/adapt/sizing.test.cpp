@@ -11,6 +11,17 @@ namespace {
 const SizeGoal to_error{true, std::nullopt, std::nullopt};
 const SizeGoal to_size{false, 16000.0, std::nullopt};
 
+/// How the loop ends when every further pass has this error.
+std::optional<StopReason> go_on(std::vector<SizeStep>& history, const SizeGoal& goal, double error) {
+  std::optional<StopReason> stop;
+  for (int pass = 0; pass < 30 && !stop; ++pass) {
+    const SizeDecision d = next_size(history, goal);
+    stop = d.stop;
+    history.push_back({d.asked, d.asked, error});
+  }
+  return stop;
+}
+
 }  // namespace
 
 TEST_CASE("predicted_vertices inverts error = c N^-order", "[adapt][sizing]") {
@@ -157,13 +168,7 @@ TEST_CASE("next_size never asks for more than the cap and ends there", "[adapt][
 
 TEST_CASE("next_size gives up when more vertices do not help", "[adapt][sizing]") {
   std::vector<SizeStep> history{{400, 400, 10, false}, {400, 400, 5}, {400, 400, 5}, {400, 400, 5}};
-  std::optional<StopReason> stop;
-  for (int pass = 0; pass < 30 && !stop; ++pass) {
-    const SizeDecision d = next_size(history, to_error);
-    stop = d.stop;
-    history.push_back({d.asked, d.asked, 5});
-  }
-  CHECK(stop == StopReason::Stagnated);
+  CHECK(go_on(history, to_error, 5) == StopReason::Stagnated);
 }
 
 TEST_CASE("next_size goes on to a size aimed at whatever the error does", "[adapt][sizing]") {
@@ -171,13 +176,7 @@ TEST_CASE("next_size goes on to a size aimed at whatever the error does", "[adap
   const bool is_cap = GENERATE(false, true);
   const SizeGoal goal = is_cap ? SizeGoal{false, std::nullopt, 16000.0} : to_size;
   std::vector<SizeStep> history{{400, 400, 10, false}, {400, 400, 1}, {400, 400, 1}, {400, 400, 1}};
-  std::optional<StopReason> stop;
-  for (int pass = 0; pass < 40 && !stop; ++pass) {
-    const SizeDecision d = next_size(history, goal);
-    stop = d.stop;
-    history.push_back({d.asked, d.asked, 5});
-  }
-  CHECK(stop == (is_cap ? StopReason::VertexBudget : StopReason::Vertices));
+  CHECK(go_on(history, goal, 5) == (is_cap ? StopReason::VertexBudget : StopReason::Vertices));
   CHECK(history.back().asked == 16000);
 }
 

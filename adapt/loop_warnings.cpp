@@ -1,0 +1,83 @@
+#include "adapt/loop_warnings.h"
+
+#include <cmath>
+
+#include "adapt/number_text.h"
+#include "adapt/sizing.h"
+
+namespace parmesan {
+namespace {
+
+// "h_max at 12 vertices in [0, 1] x [0.5, 1]"
+std::string limit_text(const char* name, const Clipped& clipped) {
+  const auto range = [](double low, double high) {
+    return "[" + short_number(low, 4) + ", " + short_number(high, 4) + "]";
+  };
+  return std::string(name) + " at " + std::to_string(clipped.count) + " vertices in " +
+         range(clipped.low.x, clipped.high.x) + " x " + range(clipped.low.y, clipped.high.y);
+}
+
+// The limits that can have made a mesh too small, or too large.
+std::string limits_text(const ClippedSizes& clipped, bool too_small) {
+  std::string text;
+  const auto add = [&text](const char* name, const Clipped& limit) {
+    if (limit.count > 0) text += (text.empty() ? "" : ", ") + limit_text(name, limit);
+  };
+  if (too_small) {
+    add("h_min", clipped.h_min);
+  } else {
+    add("h_max", clipped.h_max);
+    add("max_aspect", clipped.aspect);
+    add("gradation", clipped.gradation);
+  }
+  return text;
+}
+
+std::optional<std::string> of_size(const IterationRow& last, std::optional<std::int64_t> aimed) {
+  const auto got = static_cast<double>(last.vertices);
+  if (!aimed) return std::nullopt;
+  const auto wanted = static_cast<double>(*aimed);
+  if (std::abs(got - wanted) <= size_tolerance * wanted) return std::nullopt;
+  std::string sentence =
+      "the mesh has " + std::to_string(last.vertices) + " vertices, not the " + std::to_string(*aimed) + " aimed at";
+  const std::string limits = limits_text(last.clipped, got < wanted);
+  if (!limits.empty()) sentence += "; limits forbid it: " + limits;
+  return sentence;
+}
+
+// Of an exact function that is infinite somewhere inside: its errors are those of the rest.
+std::optional<std::string> of_nonfinite(const IterationRow& last) {
+  const std::optional<ErrorNorms>& error = last.solution_error ? last.solution_error : last.interpolation_error;
+  if (!error || error->num_nonfinite == 0) return std::nullopt;
+  return "the exact function or its gradient is not finite at " + std::to_string(error->num_nonfinite) +
+         " quadrature points of the last mesh; the errors leave them out";
+}
+
+// Where errors are but estimated: residuals far above the recovered gradient's estimate. On meshes that resolve the
+// data they are 0.7 to 1 of it.
+std::optional<std::string> of_unresolved(const IterationRow& last) {
+  constexpr double far_above = 1.5;
+  if (last.solution_error || !last.residual_h1 || *last.residual_h1 <= far_above * last.estimated_error->h1)
+    return std::nullopt;
+  return "the last mesh may not resolve the data: its residuals tell of an H1 error of " +
+         short_number(*last.residual_h1, 3) + ", the recovered gradient of " +
+         short_number(last.estimated_error->h1, 3);
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed) {
+  std::vector<std::string> warnings;
+  const auto add = [&warnings](std::optional<std::string> warning) {
+    if (warning) warnings.push_back(std::move(*warning));
+  };
+  add(of_size(last, aimed));
+  if (!satisfies_metric(last.diagnosis)) {
+    for (std::string& sentence : sentences(last.diagnosis)) warnings.push_back(std::move(sentence));
+  }
+  add(of_nonfinite(last));
+  add(of_unresolved(last));
+  return warnings;
+}
+
+}  // namespace parmesan
