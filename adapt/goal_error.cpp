@@ -8,6 +8,7 @@
 #include "fem/adjacency.h"
 #include "fem/assembly.h"
 #include "fem/boundary_conditions.h"
+#include "fem/estimators.h"
 #include "fem/recovery.h"
 #include "mesher/triangulation/refine.h"
 
@@ -72,7 +73,7 @@ std::vector<double> surplus(const Mesh& coarse, const Refinement& fine, std::spa
     const auto [a, b] = fine.ends[k];
     const Vector edge = coarse.points[at(b)] - coarse.points[at(a)];
     const std::size_t m = coarse.points.size() + k;
-    if (!fixed.fixed[m]) result[m] = dot(gradients[at(a)] - gradients[at(b)], edge) / 8.0;
+    if (!fixed.fixed[m]) result[m] = surplus(gradients[at(a)], gradients[at(b)], edge);
   }
   return result;
 }

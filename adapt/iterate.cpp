@@ -83,7 +83,7 @@ std::optional<double> estimate_by_residuals(const Case& input, const Iterate& it
 void measure_errors(const Case& input, const Iterate& iterate, const std::optional<InterpolationLimit>& limit,
                     IterationRow& row) {
   if (!input.interpolation) {
-    row.estimated_error = estimate_error(iterate.mesh, iterate.values);
+    row.estimated_error = iterate.estimated_error;
     row.residual_h1 = estimate_by_residuals(input, iterate);
   }
   const std::optional<ExactFunction> known = known_function(input);
@@ -178,11 +178,12 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
   } else {
     std::vector<double> guess;
     if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
-    Solution solution = has_cracks(iterate.mesh) ? solve(moved_off_cracks(iterate.mesh), input.problem, guess)
-                                                 : solve(iterate.mesh, input.problem, guess);
+    const auto solve_on = [&](const Mesh& mesh) { return solve(mesh, input.problem, guess, Estimate::Error); };
+    Solution solution = has_cracks(iterate.mesh) ? solve_on(moved_off_cracks(iterate.mesh)) : solve_on(iterate.mesh);
     iterate.values = std::move(solution.values);
     iterate.fluxes = std::move(solution.fluxes);
     iterate.solve_report = std::move(solution.report);
+    iterate.estimated_error = solution.estimated_error;
     if (input.goal) iterate.dual = solve_dual(iterate.mesh, input.problem, goal_functional(*input.goal, iterate.mesh));
   }
   iterate.seconds.solve = watch.seconds();

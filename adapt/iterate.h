@@ -30,8 +30,9 @@ struct Iterate {
   double complexity = 0.0;      // of the metric asked for
   ClippedSizes clipped;         // by its limits
   GenerateReport report;        // of the mesher
-  std::optional<SolveReport> solve_report;  // absent for an interpolant
-  std::map<int, double> fluxes;             // of the solution out through each label
+  std::optional<SolveReport> solve_report;        // absent for an interpolant
+  std::map<int, double> fluxes;                   // of the solution out through each label
+  std::optional<EstimatedError> estimated_error;  // of the solution
   StageSeconds seconds;
 };
 

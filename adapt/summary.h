@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "adapt/goal_error.h"
+#include "fem/estimators.h"
 #include "fem/norms.h"
-#include "fem/recovery.h"
 #include "fem/solve.h"
 #include "mesher/diagnosis.h"
 #include "mesher/geometry/point.h"

@@ -5,9 +5,8 @@
 
 #include "fem/assembly.h"
 #include "fem/boundary_conditions.h"
-#include "fem/linear_solver.h"
+#include "fem/free_equations.h"
 #include "fem/null_space.h"
-#include "fem/reduction.h"
 
 namespace parmesan {
 
@@ -78,24 +77,11 @@ std::vector<double> solve_dual(const Mesh& mesh, const Problem& problem, const G
   add_flux_conditions(mesh, problem, sides, system);
   const Functional load = dual_load(mesh, problem, sides, goal);
   system.load = Eigen::Map<const Eigen::VectorXd>(load.data(), static_cast<Eigen::Index>(load.size()));
-  FixedVertices fixed = dirichlet_values(mesh, with_dual_data(problem, goal.fluxes), sides);
+  const FixedVertices fixed = dirichlet_values(mesh, with_dual_data(problem, goal.fluxes), sides);
   const NullSpace null_space = find_null_space(mesh, system, fixed);
   make_blind_to_means(null_space, system);
-  for (const std::vector<int>& component : null_space.components) {
-    fixed.fixed[static_cast<std::size_t>(component.front())] = 1;
-  }
   if (!system.symmetric) system.matrix = RowMatrix(system.matrix.transpose());
-  const ReducedSystem reduced = reduce(system, fixed);
-  const MatrixKind kind{
-      .symmetric = system.symmetric, .definite = system.symmetric && system.definite, .peclet_max = system.peclet_max};
-  const LinearResult linear =
-      solve_linear(reduced.matrix, reduced.load, kind, Eigen::VectorXd::Zero(reduced.load.size()));
-  std::vector<double> values = std::move(fixed.values);
-  for (std::size_t i = 0; i < reduced.vertices.size(); ++i) {
-    values[static_cast<std::size_t>(reduced.vertices[i])] = linear.x[static_cast<Eigen::Index>(i)];
-  }
-  remove_means(null_space, system, values);
-  return values;
+  return FreeEquations(system, fixed.fixed, null_space).solve(system.load, fixed.values).values;
 }
 
 }  // namespace parmesan

@@ -1,11 +1,10 @@
+#include "fem/estimators.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fem/p1.h"
-#include "fem/patch_fit.h"
-#include "fem/recovery.h"
-#include "mesher/errors.h"
+#include "fem/quadrature.h"
 
 namespace parmesan {
 
@@ -18,74 +17,98 @@ double integral_of_square(double area, const std::array<Vector, 3>& d) {
   return area / 3.0 * sum;
 }
 
-/// e.H e over the edges 01, 12, 20.
-std::array<double, 3> edge_curvatures(const P1Element& element, const Hessian& h) {
-  std::array<double, 3> d{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector e = element.p[(i + 1) % 3] - element.p[i];
-    d[i] = h.xx * e.x * e.x + 2.0 * h.xy * e.x * e.y + h.yy * e.y * e.y;
+/// A quadratic on a triangle: linear with these corner values, and a surplus.
+struct Quadratic {
+  std::array<double, 3> corner{};
+  Surplus surplus{};
+
+  double at(const Barycentric& l) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) sum += corner[i] * l[i] + 4.0 * surplus[i] * l[(i + 1) % 3] * l[(i + 2) % 3];
+    return sum;
   }
-  return d;
+};
+
+double integral_of_square(double area, const Quadratic& q) {
+  double sum = 0.0;
+  for (const auto& [lambda, weight] : degree4_rule()) sum += weight * q.at(lambda) * q.at(lambda);
+  return area * sum;
 }
 
-/// Square of the L2 interpolation error of a quadratic on a triangle with these edge curvatures d,
-/// |T| ((sum d)^2 + sum d^2) / 720.
-double squared_interpolation_error(double area, const std::array<double, 3>& d) {
-  const double sum = d[0] + d[1] + d[2];
-  return area * (sum * sum + d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / 720.0;
+/// Largest |q| on the side opposite to a corner: at its ends, or where the derivative along it vanishes.
+double largest_on_side(const Quadratic& q, std::size_t corner) {
+  const double from = q.corner[(corner + 1) % 3];
+  const double to = q.corner[(corner + 2) % 3];
+  const double s = q.surplus[corner];
+  const double largest = std::max(std::abs(from), std::abs(to));
+  const double t = 0.5 + (to - from) / (8.0 * s);
+  if (!(t > 0.0 && t < 1.0)) return largest;
+  return std::max(largest, std::abs(from + t * (to - from) + 4.0 * s * t * (1.0 - t)));
 }
 
-/// Largest interpolation error of a quadratic on a triangle with these edge curvatures: of
-///
-///     e = -1/2 (l0 l1 d01 + l1 l2 d12 + l2 l0 d20)
-///
-/// at the middle of an edge, |d| / 8, or where its gradient vanishes inside, if it does.
-double largest_interpolation_error(const std::array<double, 3>& d) {
-  const auto [d01, d12, d20] = d;
-  double largest = std::max({std::abs(d01), std::abs(d12), std::abs(d20)}) / 8.0;
-  const double m = d01 - d12 - d20;
-  const double determinant = 4.0 * d12 * d20 - m * m;  // 16 |T|^2 det H
-  const double l0 = d12 * (2.0 * d20 + m) / determinant;
-  const double l1 = d20 * (2.0 * d12 + m) / determinant;
+/// Largest |q| on the triangle: on a side, or where both derivatives vanish, if that is inside.
+double largest(const Quadratic& q) {
+  double result = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) result = std::max(result, largest_on_side(q, i));
+  // q = q_2 + d0 l0 + d1 l1 + 4 (a l1 (1 - l0 - l1) + b l0 (1 - l0 - l1) + c l0 l1)
+  const auto [a, b, c] = q.surplus;
+  const double mixed = c - a - b;
+  const double d0 = (q.corner[0] - q.corner[2]) / 4.0 + b;
+  const double d1 = (q.corner[1] - q.corner[2]) / 4.0 + a;
+  const double determinant = 4.0 * a * b - mixed * mixed;
+  const double l0 = (2.0 * a * d0 + mixed * d1) / determinant;
+  const double l1 = (2.0 * b * d1 + mixed * d0) / determinant;
   const double l2 = 1.0 - l0 - l1;
-  if (l0 > 0.0 && l1 > 0.0 && l2 > 0.0)
-    largest = std::max(largest, 0.5 * std::abs(l0 * l1 * d01 + l1 * l2 * d12 + l2 * l0 * d20));
-  return largest;
+  if (l0 > 0.0 && l1 > 0.0 && l2 > 0.0) result = std::max(result, std::abs(q.at({l0, l1, l2})));
+  return result;
 }
 
-Hessian mean(const Hessian& a, const Hessian& b, const Hessian& c) {
-  return {(a.xx + b.xx + c.xx) / 3.0, (a.xy + b.xy + c.xy) / 3.0, (a.yy + b.yy + c.yy) / 3.0};
+template <class T>
+std::array<T, 3> at_corners(const Mesh& mesh, std::size_t triangle, std::span<const T> values) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return {values[static_cast<std::size_t>(a)], values[static_cast<std::size_t>(b)],
+          values[static_cast<std::size_t>(c)]};
 }
 
 }  // namespace
 
-EstimatedError estimate_error(const Mesh& mesh, std::span<const double> values) {
-  if (values.size() != mesh.points.size()) {
-    throw InputError("the function has " + std::to_string(values.size()) + " values; the mesh has " +
-                     std::to_string(mesh.points.size()) + " vertices");
+std::vector<Surplus> surpluses(const Mesh& mesh, std::span<const Vector> gradients) {
+  std::vector<Surplus> result(mesh.triangles.size());
+  for (std::size_t t = 0; t < result.size(); ++t) {
+    const std::array<Vector, 3> gradient = at_corners(mesh, t, gradients);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t from = (i + 1) % 3;
+      const std::size_t to = (i + 2) % 3;
+      const auto point = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
+      result[t][i] = surplus(gradient[from], gradient[to], point(to) - point(from));
+    }
   }
-  const std::vector<Vector> gradients = recover_gradients(mesh, values);
-  const std::vector<PatchFit> fits = fit_patches(mesh, values);
-  EstimatedError squares;  // but for linf
+  return result;
+}
+
+EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std::span<const double> nodal) {
+  double squares = 0.0;
+  EstimatedError result;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Quadratic error{.surplus = surplus[t]};
+    if (!nodal.empty()) error.corner = at_corners(mesh, t, nodal);
+    squares += integral_of_square(p1_element(mesh, static_cast<int>(t)).area, error);
+    result.linf = std::max(result.linf, largest(error));
+  }
+  result.l2 = std::sqrt(squares);
+  return result;
+}
+
+double gradient_error(const Mesh& mesh, std::span<const double> values, std::span<const Vector> gradients) {
+  double squares = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const P1Element element = p1_element(mesh, static_cast<int>(t));
-    std::array<double, 3> local{};
-    std::array<Vector, 3> recovered{};
-    std::array<Hessian, 3> hessian{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto v = static_cast<std::size_t>(mesh.triangles[t][i]);
-      local[i] = values[v];
-      recovered[i] = gradients[v];
-      hessian[i] = fits[v].hessian;
-    }
-    const Vector gradient = p1_gradient(element, local);
-    squares.h1 +=
-        integral_of_square(element.area, {recovered[0] - gradient, recovered[1] - gradient, recovered[2] - gradient});
-    const auto d = edge_curvatures(element, mean(hessian[0], hessian[1], hessian[2]));
-    squares.l2 += squared_interpolation_error(element.area, d);
-    squares.linf = std::max(squares.linf, largest_interpolation_error(d));
+    const Vector gradient = p1_gradient(element, at_corners(mesh, t, values));
+    std::array<Vector, 3> difference = at_corners(mesh, t, gradients);
+    for (Vector& d : difference) d = d - gradient;
+    squares += integral_of_square(element.area, difference);
   }
-  return {.l2 = std::sqrt(squares.l2), .h1 = std::sqrt(squares.h1), .linf = squares.linf};
+  return std::sqrt(squares);
 }
 
 }  // namespace parmesan

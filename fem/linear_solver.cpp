@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <locale>
+#include <memory>
 #include <sstream>
 #include <vector>
 #ifdef PARMESAN_SUITESPARSE
@@ -91,71 +92,81 @@ void check_options(const MatrixKind& kind, const SolverOptions& options) {
   }
 }
 
+using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess)>;
+
+/// No solution, by the solver of this name.
+LinearResult failure(Eigen::Index unknowns, const char* name) {
+  return {.x = Eigen::VectorXd::Constant(unknowns, std::numeric_limits<double>::quiet_NaN()), .solver = name};
+}
+
 /// Solves directly, and once more for the residual.
 template <class Solver>
-LinearResult solve_direct(const ColumnMatrix& matrix, const Eigen::VectorXd& b, const char* name) {
-  Solver solver;
-  if constexpr (requires { solver.cholmod(); }) solver.cholmod().print = 0;  // what fails is reported by the caller
-  solver.compute(matrix);
-  LinearResult result{.x = Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN()),
-                      .solver = name};
-  if (solver.info() != Eigen::Success) return result;
-  result.x = solver.solve(b);
-  const Eigen::VectorXd residual = b - matrix * result.x;
-  result.x += solver.solve(residual);
-  return result;
+Method direct(const RowMatrix& rows, const char* name) {
+  const auto matrix = std::make_shared<const ColumnMatrix>(rows);
+  const auto solver = std::make_shared<Solver>();
+  if constexpr (requires { solver->cholmod(); }) solver->cholmod().print = 0;  // what fails is reported by the caller
+  solver->compute(*matrix);
+  return [matrix, solver, name](const Eigen::VectorXd& b, const Eigen::VectorXd&) {
+    LinearResult result = failure(b.size(), name);
+    if (solver->info() != Eigen::Success) return result;
+    result.x = solver->solve(b);
+    const Eigen::VectorXd residual = b - *matrix * result.x;
+    result.x += solver->solve(residual);
+    return result;
+  };
 }
 
 /// Iterates from the guess; x is NaN when the preconditioner could not be made or the residual did not fall to the
 /// tolerance.
 template <class Solver>
-LinearResult solve_iteratively(Solver& solver, const RowMatrix& matrix, const Eigen::VectorXd& b,
-                               const Eigen::VectorXd& guess, const char* name) {
-  solver.setTolerance(IterativeTolerance);
-  solver.compute(matrix);
-  LinearResult result{.x = Eigen::VectorXd::Constant(b.size(), std::numeric_limits<double>::quiet_NaN()),
-                      .solver = name};
-  if (solver.info() != Eigen::Success) return result;
-  result.x = solver.solveWithGuess(b, guess);
-  // Where the load is small against A x, the backward error alone would pass a solution far from converged.
-  if (solver.info() != Eigen::Success) result.x.setConstant(std::numeric_limits<double>::quiet_NaN());
-  result.iterations = static_cast<int>(solver.iterations());
-  return result;
+Method iterative(const std::shared_ptr<Solver>& solver, const RowMatrix& matrix, const char* name) {
+  solver->setTolerance(IterativeTolerance);
+  solver->compute(matrix);
+  const bool is_prepared = solver->info() == Eigen::Success;
+  return [solver, is_prepared, name](const Eigen::VectorXd& b, const Eigen::VectorXd& guess) {
+    LinearResult result = failure(b.size(), name);
+    if (!is_prepared) return result;
+    const Eigen::VectorXd x = solver->solveWithGuess(b, guess);
+    // Where the load is small against A x, the backward error alone would pass a solution far from converged.
+    if (solver->info() == Eigen::Success) result.x = x;
+    result.iterations = static_cast<int>(solver->iterations());
+    return result;
+  };
 }
 
 /// Iterates with one preconditioner. Limits on iterations: beyond, a direct method is faster.
 template <class Preconditioning>
-LinearResult iterate(const Attempt& attempt, const RowMatrix& matrix, const Eigen::VectorXd& b,
-                     const Eigen::VectorXd& guess, int restart, int max_iterations, auto prepare) {
-  const auto run = [&](auto solver, const char* name) {
-    solver.setMaxIterations(max_iterations);
-    prepare(solver.preconditioner());
-    return solve_iteratively(solver, matrix, b, guess, name);
+Method preconditioned(const Attempt& attempt, const RowMatrix& matrix, int restart, int max_iterations,
+                      auto adjust_preconditioner) {
+  const auto prepare = [&](const auto& solver, const char* name) {
+    solver->setMaxIterations(max_iterations);
+    adjust_preconditioner(solver->preconditioner());
+    return iterative(solver, matrix, name);
   };
   switch (attempt.method) {
     case SolverMethod::Cg:
-      return run(Eigen::ConjugateGradient<RowMatrix, Eigen::Lower | Eigen::Upper, Preconditioning>(), "CG");
+      return prepare(
+          std::make_shared<Eigen::ConjugateGradient<RowMatrix, Eigen::Lower | Eigen::Upper, Preconditioning>>(), "CG");
     case SolverMethod::Gmres:
-      return run(Gmres<Preconditioning>(restart), "GMRES");
+      return prepare(std::make_shared<Gmres<Preconditioning>>(restart), "GMRES");
     default:
-      return run(Eigen::BiCGSTAB<RowMatrix, Preconditioning>(), "BiCGSTAB");
+      return prepare(std::make_shared<Eigen::BiCGSTAB<RowMatrix, Preconditioning>>(), "BiCGSTAB");
   }
 }
 
-LinearResult apply(const Attempt& attempt, const RowMatrix& matrix, const Eigen::VectorXd& b,
-                   const Eigen::VectorXd& guess, int restart) {
-  if (attempt.method == SolverMethod::Ldlt) return solve_direct<SymmetricFactorization>(matrix, b, "LDLT");
-  if (attempt.method == SolverMethod::Lu) return solve_direct<Factorization>(matrix, b, "LU");
+Method prepared(const Attempt& attempt, const RowMatrix& matrix, int restart) {
+  if (attempt.method == SolverMethod::Ldlt) return direct<SymmetricFactorization>(matrix, "LDLT");
+  if (attempt.method == SolverMethod::Lu) return direct<Factorization>(matrix, "LU");
   const auto as_it_is = [](auto&) {};
   switch (attempt.preconditioner) {
     case Preconditioner::Multigrid:
-      return iterate<AggregationMultigrid>(attempt, matrix, b, guess, restart,
-                                           attempt.method == SolverMethod::Cg ? 300 : 100, as_it_is);
+      return preconditioned<AggregationMultigrid>(attempt, matrix, restart,
+                                                  attempt.method == SolverMethod::Cg ? 300 : 100, as_it_is);
     case Preconditioner::Jacobi:
-      return iterate<Eigen::DiagonalPreconditioner<double>>(attempt, matrix, b, guess, restart, 20'000, as_it_is);
+      return preconditioned<Eigen::DiagonalPreconditioner<double>>(attempt, matrix, restart, 20'000, as_it_is);
     default:
-      return iterate<Eigen::IncompleteLUT<double>>(attempt, matrix, b, guess, restart, 500,
-                                                   [](auto& ilut) { ilut.setDroptol(1e-3); });
+      return preconditioned<Eigen::IncompleteLUT<double>>(attempt, matrix, restart, 500,
+                                                          [](auto& ilut) { ilut.setDroptol(1e-3); });
   }
 }
 
@@ -187,19 +198,25 @@ double growth(const RowMatrix& matrix, const Eigen::VectorXd& x, const Eigen::Ve
   return largest == 0.0 ? 0.0 : largest / (b.array() / scale).abs().maxCoeff();
 }
 
-LinearResult solve_linear(const RowMatrix& matrix, const Eigen::VectorXd& b, const MatrixKind& kind,
-                          const Eigen::VectorXd& guess, const SolverOptions& options) {
+LinearSolver::LinearSolver(const RowMatrix& matrix, const MatrixKind& kind, const SolverOptions& options)
+    : matrix_(matrix), kind_(kind), options_(options) {
   check_options(kind, options);
-  if (b.size() == 0) return {.x = b, .solver = kind.symmetric ? "LDLT" : "LU"};
+}
+
+LinearResult LinearSolver::solve(const Eigen::VectorXd& b, const Eigen::VectorXd& guess) {
+  if (b.size() == 0) return {.x = b, .solver = kind_.symmetric ? "LDLT" : "LU"};
   std::ostringstream tried;
   tried.imbue(std::locale::classic());
-  for (const Attempt& attempt : attempts_for(matrix.rows(), kind, options)) {
-    LinearResult result = apply(attempt, matrix, b, guess, options.restart);
-    result.backward_error = backward_error(matrix, result.x, b);
-    const double grown = growth(matrix, result.x, b);
+  const std::vector<Attempt> attempts = attempts_for(matrix_.rows(), kind_, options_);
+  for (; attempt_ < attempts.size(); ++attempt_, method_ = nullptr) {
+    if (!method_) method_ = prepared(attempts[attempt_], matrix_, options_.restart);
+    LinearResult result = method_(b, guess);
+    result.backward_error = backward_error(matrix_, result.x, b);
+    const double grown = growth(matrix_, result.x, b);
     if (result.backward_error <= MaxBackwardError && grown <= MaxGrowth) return result;
     tried << " " << result.solver << " " << result.backward_error << " (growth " << grown << ")";
   }
+  attempt_ = 0;
   throw SolveError("no solution with a backward error of at most 1e-10 and a growth of at most 1e14; reached:" +
                    tried.str());
 }

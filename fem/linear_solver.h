@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <functional>
 #include <string>
 
 #include "fem/assembly.h"
@@ -34,15 +35,28 @@ double backward_error(const RowMatrix& matrix, const Eigen::VectorXd& x, const E
 /// Shows solutions of singular systems, whose backward error is small because they are huge.
 double growth(const RowMatrix& matrix, const Eigen::VectorXd& x, const Eigen::VectorXd& b);
 
-/// Solves A x = b by the method that fem/README.md gives for its size and kind, from the guess if
-/// the method iterates. What the solver says of its own success is not looked at: the backward
-/// error is computed, and above 1e-10 the next more robust method is tried, as it is when the growth
-/// exceeds 1e14: then the matrix is singular to working precision.
-///
-/// options may name a method, which is then tried first, before direct ones.
-/// Errors: SolveError when no method met both limits; ProblemError when CG or LDLT is wished for a matrix that is not
-/// symmetric; InputError for a restart out of range.
-LinearResult solve_linear(const RowMatrix& matrix, const Eigen::VectorXd& b, const MatrixKind& kind,
-                          const Eigen::VectorXd& guess, const SolverOptions& options = {});
+/// Solves A x = b with one matrix, for any number of loads, by the method that fem/README.md gives for its size and
+/// kind. What that prepares, a factorization or a preconditioner, is kept. What the solver says of its own success is
+/// not looked at: the backward error is computed, and above 1e-10 the next more robust method is tried, as it is when
+/// the growth exceeds 1e14: then the matrix is singular to working precision.
+class LinearSolver {
+ public:
+  /// The matrix must live as long. options may name a method, which is then tried first, before direct ones.
+  /// Errors: ProblemError when CG or LDLT is wished for a matrix that is not symmetric; InputError for a restart out of
+  /// range.
+  LinearSolver(const RowMatrix& matrix, const MatrixKind& kind, const SolverOptions& options = {});
+
+  /// From the guess if the method iterates. Errors: SolveError when no method met both limits.
+  LinearResult solve(const Eigen::VectorXd& b, const Eigen::VectorXd& guess);
+
+ private:
+  using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess)>;
+
+  const RowMatrix& matrix_;
+  MatrixKind kind_;
+  SolverOptions options_;
+  std::size_t attempt_ = 0;  // methods before it have failed
+  Method method_;            // of that attempt, once it is prepared
+};
 
 }  // namespace parmesan

@@ -27,9 +27,10 @@ FixedVertices all_but(const NullSpace& null_space, std::size_t num_vertices) {
 /// A nonsymmetric system with these vertices fixed; the first guess is a constant.
 Eigen::VectorXd solve_nonsymmetric(const AssembledSystem& system, const FixedVertices& fixed, double peclet_max,
                                    double guess) {
-  const ReducedSystem reduced = reduce(system, fixed);
-  const Eigen::VectorXd start = Eigen::VectorXd::Constant(reduced.load.size(), guess);
-  const Eigen::VectorXd x = solve_linear(reduced.matrix, reduced.load, {.peclet_max = peclet_max}, start).x;
+  const ReducedMatrix reduced = reduced_matrix(system.matrix, fixed.fixed);
+  const Eigen::VectorXd load = reduced_load(system.matrix, system.load, fixed.fixed, fixed.values);
+  const Eigen::VectorXd start = Eigen::VectorXd::Constant(load.size(), guess);
+  const Eigen::VectorXd x = LinearSolver(reduced.matrix, {.peclet_max = peclet_max}).solve(load, start).x;
   Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(fixed.values.data(), system.load.size());
   for (std::size_t i = 0; i < reduced.vertices.size(); ++i)
     values[reduced.vertices[i]] = x[static_cast<Eigen::Index>(i)];
@@ -51,7 +52,7 @@ Eigen::VectorXd inverse_iterate(const NullSpace& null_space, const AssembledSyst
 /// Puts the vertex first where the left null vector is largest: where it is small, with velocities nearly everywhere,
 /// the equation that is left out there does not follow from the others.
 void hold_where_felt(const AssembledSystem& system, NullSpace& null_space) {
-  if (system.symmetric || null_space.components.empty()) return;
+  if (system.symmetric) return;
   const Eigen::VectorXd w = inverse_iterate(null_space, system);
   for (std::vector<int>& component : null_space.components) {
     const auto most = std::ranges::max_element(component, {}, [&w](int v) { return std::abs(w[v]); });
@@ -59,7 +60,7 @@ void hold_where_felt(const AssembledSystem& system, NullSpace& null_space) {
   }
 }
 
-/// w with w^T A = 0 and w = 1 at the first vertex of each component; 0 on the other components.
+/// w with w^T A = 0 and w = 1 at the first vertex of each component; 0 off the components.
 Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSystem& system) {
   FixedVertices fixed = all_but(null_space, static_cast<std::size_t>(system.load.size()));
   Eigen::VectorXd w = Eigen::VectorXd::Zero(system.load.size());
@@ -103,29 +104,41 @@ NullSpace find_null_space(const Mesh& mesh, const AssembledSystem& system, const
     if (!anchored[c]) vertices[c].push_back(static_cast<int>(v));
   }
   std::erase_if(vertices, [](const std::vector<int>& list) { return list.empty(); });
-  NullSpace null_space{std::move(vertices)};
+  NullSpace null_space{.components = std::move(vertices), .left = {}};
+  if (null_space.components.empty()) return null_space;
   hold_where_felt(system, null_space);
+  null_space.left = left_null_vector(null_space, system);
   return null_space;
 }
 
 double balance_load(const Mesh& mesh, const NullSpace& null_space, AssembledSystem& system) {
-  if (null_space.components.empty()) return 0.0;
-  const Eigen::VectorXd w = left_null_vector(null_space, system);
+  const Eigen::VectorXd& w = null_space.left;
   double worst = 0.0;
   for (const std::vector<int>& component : null_space.components) {
     double mismatch = 0.0;
     double magnitude = 0.0;
-    double mass = 0.0;
     for (const int v : component) {
       mismatch += w[v] * system.load[v];
       magnitude += std::abs(w[v] * system.load[v]);
-      mass += w[v] * system.mass[v];
     }
     if (std::abs(mismatch) > MaxMismatch * magnitude) refuse(mesh, component, mismatch, magnitude);
     if (magnitude > 0.0) worst = std::max(worst, std::abs(mismatch) / magnitude);
-    for (const int v : component) system.load[v] -= mismatch / mass * system.mass[v];
   }
+  remove_imbalance(null_space, system, system.load);
   return worst;
+}
+
+void remove_imbalance(const NullSpace& null_space, const AssembledSystem& system, Eigen::VectorXd& load) {
+  const Eigen::VectorXd& w = null_space.left;
+  for (const std::vector<int>& component : null_space.components) {
+    double mismatch = 0.0;
+    double mass = 0.0;
+    for (const int v : component) {
+      mismatch += w[v] * load[v];
+      mass += w[v] * system.mass[v];
+    }
+    for (const int v : component) load[v] -= mismatch / mass * system.mass[v];
+  }
 }
 
 void remove_means(const NullSpace& null_space, const AssembledSystem& system, std::vector<double>& values) {

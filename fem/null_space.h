@@ -12,14 +12,15 @@ namespace parmesan {
 /// Dirichlet vertex, reaction or Robin coefficient.
 struct NullSpace {
   std::vector<std::vector<int>> components;  // the vertices of each, first the one to hold
+  Eigen::VectorXd left;  // n; w with w^T A = 0, 1 at those to hold and 0 off the components; empty without components
 };
 
 /// The vertex to hold in place of its equation is the one where the left null vector is largest. Errors: as
-/// solve_linear. Cost: O(n), and with a velocity, where there is a null space, a solve.
+/// LinearSolver. Cost: O(n), and with a velocity, where there is a null space, two solves.
 NullSpace find_null_space(const Mesh& mesh, const AssembledSystem& system, const FixedVertices& dirichlet);
 
-/// Makes the data compatible. With w the left null vector of the matrix on a component (1 where
-/// there is no velocity), a solution exists if and only if w.F = 0, that is
+/// Makes the data compatible. With w the left null vector of the matrix on a component (1 everywhere
+/// if there is no velocity), a solution exists if and only if w.F = 0, that is
 ///
 ///     int f + int over the boundary of g = 0   when w = 1.
 ///
@@ -29,6 +30,9 @@ NullSpace find_null_space(const Mesh& mesh, const AssembledSystem& system, const
 /// Returns the largest relative mismatch found.
 /// Errors: ProblemError with both integrals when the mismatch is larger.
 double balance_load(const Mesh& mesh, const NullSpace& null_space, AssembledSystem& system);
+
+/// Takes a constant source from the load on each component, so that w.F = 0 there.
+void remove_imbalance(const NullSpace& null_space, const AssembledSystem& system, Eigen::VectorXd& load);
 
 /// Subtracts the mean value from u on each component.
 void remove_means(const NullSpace& null_space, const AssembledSystem& system, std::vector<double>& values);

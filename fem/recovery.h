@@ -31,14 +31,4 @@ std::vector<Vector> recover_gradients(const Mesh& mesh, std::span<const double> 
 std::vector<Hessian> recover_hessians(const Mesh& mesh, std::span<const double> values,
                                       Recovery recovery = Recovery::ZienkiewiczZhu);
 
-/// What the recovered gradient says about the error (Zienkiewicz & Zhu): the H1 seminorm of the
-/// difference to the P1 gradient, and the L2 norm and the maximum of the interpolation error of a
-/// function with the recovered Hessian.
-struct EstimatedError {
-  double l2 = 0.0;
-  double h1 = 0.0;
-  double linf = 0.0;
-};
-EstimatedError estimate_error(const Mesh& mesh, std::span<const double> values);
-
 }  // namespace parmesan

@@ -7,23 +7,12 @@
 #include "fem/boundary_conditions.h"
 #include "fem/boundary_flux.h"
 #include "fem/discontinuity_capturing.h"
-#include "fem/linear_solver.h"
-#include "fem/null_space.h"
-#include "fem/reduction.h"
+#include "fem/discrete_problem.h"
+#include "fem/galerkin_error.h"
 
 namespace parmesan {
 
 namespace {
-
-/// The guess at the unknowns, zero where there is none.
-Eigen::VectorXd guess_of(const ReducedSystem& reduced, std::span<const double> guess) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(reduced.load.size());
-  if (guess.empty()) return result;
-  for (std::size_t i = 0; i < reduced.vertices.size(); ++i) {
-    result[static_cast<Eigen::Index>(i)] = guess[static_cast<std::size_t>(reduced.vertices[i])];
-  }
-  return result;
-}
 
 void check_sizes(const Mesh& mesh, std::span<const double> guess) {
   if (mesh.triangles.empty()) throw GeometryError("the mesh has no triangle");
@@ -42,37 +31,22 @@ void report_range(const Mesh& mesh, const Problem& problem, const std::vector<Si
   if (solution.report.null_components == 0) solution.report.bounds = solution_bounds(mesh, problem, sides);
 }
 
-/// Solves with this diffusion added across the flow.
-Solution solve_once(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
-                    std::span<const double> guess, std::span<const double> crosswind) {
-  AssembledSystem system = assemble(mesh, problem, crosswind);
-  add_flux_conditions(mesh, problem, sides, system);
-  FixedVertices fixed = dirichlet_values(mesh, problem, sides);
-  const NullSpace null_space = find_null_space(mesh, system, fixed);
+Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
+  const AssembledSystem& system = discrete.system;
+  VertexValues found = discrete.equations.solve(system.load, discrete.fixed.values, guess);
   Solution solution;
-  solution.report.compatibility_mismatch = balance_load(mesh, null_space, system);
-  for (const std::vector<int>& component : null_space.components) {
-    fixed.fixed[static_cast<std::size_t>(component.front())] = 1;
-  }
-  const ReducedSystem reduced = reduce(system, fixed);
-  const MatrixKind kind{
-      .symmetric = system.symmetric, .definite = system.symmetric && system.definite, .peclet_max = system.peclet_max};
-  const LinearResult linear =
-      solve_linear(reduced.matrix, reduced.load, kind, guess_of(reduced, guess), problem.solver);
-  solution.values = std::move(fixed.values);
-  for (std::size_t i = 0; i < reduced.vertices.size(); ++i) {
-    solution.values[static_cast<std::size_t>(reduced.vertices[i])] = linear.x[static_cast<Eigen::Index>(i)];
-  }
-  remove_means(null_space, system, solution.values);
-  solution.report.solver = linear.solver;
-  solution.report.unknowns = static_cast<int>(reduced.vertices.size());
-  solution.report.iterations = linear.iterations;
-  solution.report.backward_error = linear.backward_error;
-  solution.report.peclet_min = system.peclet_min;
-  solution.report.peclet_max = system.peclet_max;
-  solution.report.null_components = static_cast<int>(null_space.components.size());
-  solution.fluxes = boundary_fluxes(mesh, problem, sides, system, solution.values);
-  report_range(mesh, problem, sides, solution);
+  solution.values = std::move(found.values);
+  SolveReport& report = solution.report;
+  report.solver = found.linear.solver;
+  report.unknowns = static_cast<int>(found.linear.x.size());
+  report.iterations = found.linear.iterations;
+  report.backward_error = found.linear.backward_error;
+  report.peclet_min = system.peclet_min;
+  report.peclet_max = system.peclet_max;
+  report.null_components = static_cast<int>(discrete.null_space.components.size());
+  report.compatibility_mismatch = discrete.mismatch;
+  solution.fluxes = boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, system, solution.values);
+  report_range(discrete.mesh, discrete.problem, discrete.sides, solution);
   return solution;
 }
 
@@ -91,7 +65,8 @@ Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, const
   constexpr double damping = 0.5;
   std::vector<double> crosswind = crosswind_diffusion(mesh, problem, solution.values);
   for (int step = 1; step <= max_steps; ++step) {
-    Solution next = solve_once(mesh, problem, sides, solution.values, crosswind);
+    DiscreteProblem discrete(mesh, problem, sides, crosswind);
+    Solution next = solve_once(discrete, solution.values);
     next.report.capturing_steps = step;
     next.report.capturing_change = relative_change(solution.values, next);
     solution = std::move(next);
@@ -104,13 +79,16 @@ Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, const
 
 }  // namespace
 
-Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess) {
+Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess, Estimate estimate) {
   check_sizes(mesh, guess);
   const std::vector<Side> sides = labelled_sides(mesh);
   check_conditions(mesh, problem, sides);
-  Solution solution = solve_once(mesh, problem, sides, guess, {});
-  if (!problem.capture_discontinuities || !problem.velocity) return solution;
-  return capture_discontinuities(mesh, problem, sides, std::move(solution));
+  DiscreteProblem discrete(mesh, problem, sides);
+  Solution solution = solve_once(discrete, guess);
+  if (problem.capture_discontinuities && problem.velocity)
+    solution = capture_discontinuities(mesh, problem, sides, std::move(solution));
+  if (estimate == Estimate::Error) solution.estimated_error = estimate_error(discrete, solution.values);
+  return solution;
 }
 
 }  // namespace parmesan

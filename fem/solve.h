@@ -1,11 +1,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "fem/estimators.h"
 #include "fem/problem.h"
 #include "fem/solution_bounds.h"
 
@@ -42,7 +44,11 @@ struct Solution {
   std::vector<double> values;
   std::map<int, double> fluxes;  // out through each label with a condition (boundary_flux.h)
   SolveReport report;
+  std::optional<EstimatedError> estimated_error;  // where it is asked for
 };
+
+/// Is the error of the solution to be estimated (galerkin_error.h)?
+enum class Estimate { Nothing, Error };
 
 /// Assembles and solves the P1 discretisation.
 ///
@@ -57,6 +63,7 @@ struct Solution {
 ///
 /// Errors: ProblemError (data), SolveError (backward error above 1e-10 after the fallbacks, or singular to working
 /// precision), GeometryError (a triangle whose area is not positive in floating point).
-Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess = {});
+Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess = {},
+               Estimate estimate = Estimate::Nothing);
 
 }  // namespace parmesan

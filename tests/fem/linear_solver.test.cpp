@@ -24,9 +24,23 @@ Problem poisson() {
   return problem;
 }
 
-ReducedSystem reduced_poisson(const Mesh& mesh) {
-  const Problem problem = poisson();
-  return reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+struct ReducedSystem {
+  RowMatrix matrix;
+  Eigen::VectorXd load;
+};
+
+ReducedSystem reduced(const Mesh& mesh, const Problem& problem) {
+  const AssembledSystem system = assemble(mesh, problem);
+  const FixedVertices fixed = dirichlet_values(mesh, problem, labelled_sides(mesh));
+  return {reduced_matrix(system.matrix, fixed.fixed).matrix,
+          reduced_load(system.matrix, system.load, fixed.fixed, fixed.values)};
+}
+
+ReducedSystem reduced_poisson(const Mesh& mesh) { return reduced(mesh, poisson()); }
+
+LinearResult solve_linear(const RowMatrix& matrix, const Eigen::VectorXd& b, const MatrixKind& kind,
+                          const Eigen::VectorXd& guess, const SolverOptions& options = {}) {
+  return LinearSolver(matrix, kind, options).solve(b, guess);
 }
 
 }  // namespace
@@ -83,8 +97,7 @@ TEST_CASE("every method with every preconditioner finds the solution that is kno
   Problem problem = poisson();
   if (!symmetric) problem.velocity = [](const Point& p, int) { return Vector{20 * p.y, -10.0}; };
   const Mesh mesh = random_square(40, 0.2, 4);
-  const RowMatrix matrix =
-      reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh))).matrix;
+  const RowMatrix matrix = reduced(mesh, problem).matrix;
   Eigen::VectorXd x(matrix.rows());
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = 1.0 + std::sin(0.01 * static_cast<double>(i * i));
   const LinearResult result = solve_linear(matrix, matrix * x, {symmetric, symmetric, 0.2},
@@ -131,7 +144,7 @@ TEST_CASE("a wished method that fails is followed by a direct one", "[fem][solve
   Problem problem = poisson();
   problem.reaction = [](const Point&, int) { return -500.0; };
   const Mesh mesh = random_square(40, 0.2, 5);
-  const ReducedSystem system = reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+  const ReducedSystem system = reduced(mesh, problem);
   const LinearResult result =
       solve_linear(system.matrix, system.load, {true, false}, Eigen::VectorXd::Zero(system.load.size()),
                    {SolverMethod::Gmres, Preconditioner::Jacobi, 1});
@@ -197,7 +210,7 @@ TEST_CASE("multigrid bears unknowns that are coupled to nothing else strongly", 
     const double k = in_pocket(p.x) && in_pocket(p.y) ? 1e-6 : 1.0;
     return Diffusion{k, 0.0, k};
   };
-  const ReducedSystem system = reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+  const ReducedSystem system = reduced(mesh, problem);
   AggregationMultigrid multigrid;
   multigrid.compute(system.matrix);
   REQUIRE(multigrid.info() == Eigen::Success);
@@ -265,7 +278,7 @@ TEST_CASE("where conjugate gradients do not converge a direct method takes over"
   const Mesh mesh = rectangle_mesh(330, 330);
   Problem problem = poisson();
   problem.reaction = [](const Point&, int) { return -2000.0; };
-  const ReducedSystem system = reduce(assemble(mesh, problem), dirichlet_values(mesh, problem, labelled_sides(mesh)));
+  const ReducedSystem system = reduced(mesh, problem);
   REQUIRE(system.load.size() > 100'000);
   const LinearResult result =
       solve_linear(system.matrix, system.load, {true, true}, Eigen::VectorXd::Zero(system.load.size()));

@@ -150,49 +150,7 @@ TEST_CASE("recovery of a linear function is zero to round-off", "[fem][recovery]
     for (const Hessian& h : recover_hessians(mesh, values, method))
       CHECK(std::abs(h.xx) + std::abs(h.xy) + std::abs(h.yy) < 1e-8);
   }
-  const EstimatedError e = estimate_error(mesh, values);
-  CHECK(e.l2 < 1e-10);
-  CHECK(e.h1 < 1e-10);
-}
-
-TEST_CASE("the H1 estimate of a smooth solution is the error up to 5 %", "[fem][recovery][estimate]") {
-  Problem problem;
-  problem.source = [](const Point& p, int) { return -Wave::xx(p) - Wave::yy(p); };
-  problem.boundary = dirichlet_everywhere(Wave::value);
-  const Mesh mesh = GENERATE(bent_square(24), random_square(24, 0.2, 4));
-  const std::vector<double> u = solve(mesh, problem).values;
-  const ErrorNorms e = error_norms(mesh, u, Wave::exact());
-  CHECK(estimate_error(mesh, u).h1 / e.h1 == Approx(1.0).epsilon(0.05));
-}
-
-TEST_CASE("the L2 estimate is the interpolation error of a quadratic exactly", "[fem][recovery][estimate]") {
-  const Mesh mesh = GENERATE(random_square(10, 0.24, 5), mapped(random_square(10, 0.24, 6), [](const Point& p) {
-                               return Point{p.x, 1e-2 * p.y};
-                             }));
-  const std::vector<double> values = interpolate(mesh, quadratic);
-  const ErrorNorms e = error_norms(mesh, values, {quadratic, quadratic_gradient});
-  CHECK(estimate_error(mesh, values).l2 == Approx(e.l2).epsilon(1e-6));
-}
-
-TEST_CASE("the estimated largest error of a quadratic's interpolant is what dense samples find", "[fem][recovery]") {
-  const double xx = GENERATE(3.0, -1.0, 0.0), xy = GENERATE(0.0, 2.0), yy = GENERATE(1.0, 4.0, -0.5);
-  const auto q = [&](const Point& p) { return 0.5 * xx * p.x * p.x + xy * p.x * p.y + 0.5 * yy * p.y * p.y; };
-  const Mesh mesh = random_square(4, 0.24, 3);
-  const std::vector<double> values = interpolate(mesh, q);
-  constexpr int n = 120;  // samples per side: the maximum is missed by less than 1 / n^2 of it
-  double largest = 0.0;
-  for (const auto& t : mesh.triangles) {
-    const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(t[k]); };
-    for (int i = 0; i <= n; ++i) {
-      for (int j = 0; i + j <= n; ++j) {
-        const double a = static_cast<double>(i) / n, b = static_cast<double>(j) / n, c = 1.0 - a - b;
-        const Point p = a * mesh.points[corner(0)] + b * mesh.points[corner(1)] + c * mesh.points[corner(2)];
-        const double u = a * values[corner(0)] + b * values[corner(1)] + c * values[corner(2)];
-        largest = std::max(largest, std::abs(u - q(p)));
-      }
-    }
-  }
-  CHECK(estimate_error(mesh, values).linf == Approx(largest).epsilon(1e-3).margin(1e-12));
+  for (const Vector& g : recover_gradients(mesh, values)) CHECK(norm(g - Vector{2, -3}) < 1e-10);
 }
 
 TEST_CASE("values of the wrong number are refused by recovery", "[fem][recovery][errors]") {
@@ -200,7 +158,6 @@ TEST_CASE("values of the wrong number are refused by recovery", "[fem][recovery]
   const Mesh mesh = rectangle_mesh(2, 2);
   CHECK_THROWS_AS(recover_gradients(mesh, values), InputError);
   for (const Recovery method : all_methods) CHECK_THROWS_AS(recover_hessians(mesh, values, method), InputError);
-  CHECK_THROWS_AS(estimate_error(mesh, values), InputError);
 }
 
 }  // namespace parmesan

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fem/free_equations.h"
+#include "fem/problem.h"
+
+namespace parmesan {
+
+/// The P1 equations of a problem on a mesh, conditions included, ready to be solved.
+struct DiscreteProblem {
+  /// The mesh, the problem and the sides must live as long. crosswind: as assemble. Errors: ProblemError (data).
+  DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, const std::vector<Side>& the_sides,
+                  std::span<const double> crosswind = {});
+  DiscreteProblem(const DiscreteProblem&) = delete;
+  DiscreteProblem& operator=(const DiscreteProblem&) = delete;
+
+  const Mesh& mesh;
+  const Problem& problem;
+  const std::vector<Side>& sides;
+  AssembledSystem system;  // its load balanced
+  FixedVertices fixed;     // by Dirichlet data
+  NullSpace null_space;
+  double mismatch;  // of the data, the largest relative one
+  FreeEquations equations;
+};
+
+}  // namespace parmesan

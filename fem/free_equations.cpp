@@ -1,0 +1,44 @@
+#include "fem/free_equations.h"
+
+#include <utility>
+
+namespace parmesan {
+
+namespace {
+
+std::vector<char> with_held(std::vector<char> fixed, const NullSpace& null_space) {
+  for (const std::vector<int>& component : null_space.components)
+    fixed[static_cast<std::size_t>(component.front())] = 1;
+  return fixed;
+}
+
+MatrixKind kind_of(const AssembledSystem& system) {
+  return {
+      .symmetric = system.symmetric, .definite = system.symmetric && system.definite, .peclet_max = system.peclet_max};
+}
+
+}  // namespace
+
+FreeEquations::FreeEquations(const AssembledSystem& system, std::vector<char> fixed, const NullSpace& null_space,
+                             const SolverOptions& options)
+    : system_(system),
+      null_space_(null_space),
+      fixed_(with_held(std::move(fixed), null_space)),
+      reduced_(reduced_matrix(system.matrix, fixed_)),
+      solver_(reduced_.matrix, kind_of(system), options) {}
+
+VertexValues FreeEquations::solve(const Eigen::VectorXd& load, std::span<const double> given,
+                                  std::span<const double> guess) {
+  const std::vector<int>& vertices = reduced_.vertices;
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; !guess.empty() && i < vertices.size(); ++i)
+    start[static_cast<Eigen::Index>(i)] = guess[static_cast<std::size_t>(vertices[i])];
+  VertexValues result{{given.begin(), given.end()},
+                      solver_.solve(reduced_load(system_.matrix, load, fixed_, given), start)};
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    result.values[static_cast<std::size_t>(vertices[i])] = result.linear.x[static_cast<Eigen::Index>(i)];
+  remove_means(null_space_, system_, result.values);
+  return result;
+}
+
+}  // namespace parmesan

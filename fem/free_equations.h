@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fem/linear_solver.h"
+#include "fem/null_space.h"
+#include "fem/reduction.h"
+
+namespace parmesan {
+
+/// Values at all vertices, and how they were found.
+struct VertexValues {
+  std::vector<double> values;
+  LinearResult linear;
+};
+
+/// The equations of the vertices whose values are free, ready to be solved for several loads.
+class FreeEquations {
+ public:
+  /// The system and the null space must live as long. fixed: n flags; the vertex that each component of the null space
+  /// is held at is fixed too.
+  FreeEquations(const AssembledSystem& system, std::vector<char> fixed, const NullSpace& null_space,
+                const SolverOptions& options = {});
+
+  /// A x = load where x is free, x = given elsewhere (n values), means zero on the components of the null space.
+  /// guess: n values to iterate from, or none. Errors: as solve_linear.
+  VertexValues solve(const Eigen::VectorXd& load, std::span<const double> given, std::span<const double> guess = {});
+
+ private:
+  const AssembledSystem& system_;
+  const NullSpace& null_space_;
+  std::vector<char> fixed_;
+  ReducedMatrix reduced_;
+  LinearSolver solver_;
+};
+
+}  // namespace parmesan
