@@ -79,8 +79,8 @@ void fields(Archive& archive, SolveReport& r) {
 
 template <class Archive>
 void fields(Archive& archive, Iterate& i) {
-  archive(i.mesh, i.relaxed, i.metrics, i.values, i.dual, i.complexity, i.clipped, i.report, i.solve_report, i.fluxes,
-          i.estimated_error, i.seconds);
+  archive(i.mesh, i.relaxed, i.metrics, i.values, i.residual, i.dual, i.complexity, i.clipped, i.report, i.solve_report,
+          i.fluxes, i.estimated_error, i.seconds);
 }
 
 template <class Archive>

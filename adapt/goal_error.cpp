@@ -8,7 +8,7 @@
 #include "fem/adjacency.h"
 #include "fem/assembly.h"
 #include "fem/boundary_conditions.h"
-#include "fem/estimators.h"
+#include "fem/quadratic.h"
 #include "fem/recovery.h"
 #include "mesher/triangulation/refine.h"
 
@@ -57,16 +57,9 @@ AssembledSystem equations(const Mesh& mesh, const Problem& problem, const std::v
   return system;
 }
 
-/// r_h(z_h): zero but for fluxes through Dirichlet sides.
-double discrete_residual(const Mesh& mesh, const Problem& problem, std::span<const double> values,
-                         std::span<const double> dual) {
-  const AssembledSystem system = equations(mesh, problem, labelled_sides(mesh));
-  return vector_of(dual).dot(system.load - system.matrix * vector_of(values));
-}
-
 /// At the new vertices: what the dual is more there than half-way between its values at the ends.
-std::vector<double> surplus(const Mesh& coarse, const Refinement& fine, std::span<const double> dual,
-                            const FixedVertices& fixed) {
+std::vector<double> dual_surplus(const Mesh& coarse, const Refinement& fine, std::span<const double> dual,
+                                 const FixedVertices& fixed) {
   const std::vector<Vector> gradients = recover_gradients(coarse, dual);
   std::vector<double> result(fine.mesh.points.size(), 0.0);
   for (std::size_t k = 0; k < fine.ends.size(); ++k) {
@@ -94,7 +87,8 @@ std::vector<double> dual_residual(const Mesh& mesh, const GoalFunctional& goal, 
 }  // namespace
 
 GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
-                              std::span<const double> values, std::span<const double> dual) {
+                              std::span<const double> values, std::span<const double> residual,
+                              std::span<const double> dual) {
   constexpr double of_parabolas = 4.0 / 3.0;
   const Refinement fine = refined(mesh);
   const std::vector<Side> sides = labelled_sides(fine.mesh);
@@ -104,16 +98,16 @@ GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const Go
   const FixedVertices fixed = dirichlet_values(fine.mesh, problem, sides);
   const std::vector<double> u = prolonged(fine, values);
   std::vector<double> z = prolonged(fine, dual);
-  const std::vector<double> above = surplus(mesh, fine, dual, fixed);
-  const Eigen::VectorXd residual = system.load - system.matrix * vector_of(u);
+  const std::vector<double> above = dual_surplus(mesh, fine, dual, fixed);
+  const Eigen::VectorXd left = system.load - system.matrix * vector_of(u);  // by u_h, without SUPG
   GoalError result;
-  result.error = vector_of(z).dot(residual) - discrete_residual(mesh, problem, values, dual);
+  result.error = vector_of(z).dot(left) + vector_of(dual).dot(vector_of(residual));
   for (std::size_t v = 0; v < z.size(); ++v) z[v] += above[v];
   const std::vector<double> weights = dual_residual(fine.mesh, goal, system, z, fixed, u);
   result.magnitude = std::abs(result.error);
   for (std::size_t m = values.size(); m < u.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(m);
-    const double part = fixed.fixed[m] ? (fixed.values[m] - u[m]) * weights[m] : above[m] * residual[row];
+    const double part = fixed.fixed[m] ? (fixed.values[m] - u[m]) * weights[m] : above[m] * left[row];
     result.error += of_parabolas * part;
     result.magnitude += of_parabolas * std::abs(part);
   }

@@ -24,8 +24,10 @@ struct GoalError {
 /// what they give at new vertices is multiplied by 4/3: there hat functions have 3/4 of the integrals of the parabolas
 /// they stand for, over triangles and edges alike.
 ///
-/// values, dual: nodal values of u_h and z_h. Errors: as solve. Cost: O(n), that of assembling on 4 n triangles.
+/// values, dual: nodal values of u_h and z_h. residual: of the solution, -r_h at the vertices. Errors: as solve. Cost:
+/// O(n), that of assembling on 4 n triangles.
 GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
-                              std::span<const double> values, std::span<const double> dual);
+                              std::span<const double> values, std::span<const double> residual,
+                              std::span<const double> dual);
 
 }  // namespace parmesan

@@ -99,7 +99,8 @@ GoalRow goal_row(const Case& input, const Iterate& iterate) {
   GoalRow row;
   const GoalFunctional functional = goal_functional(*input.goal, iterate.mesh);
   row.value = evaluate(*input.goal, iterate.mesh, iterate.values, iterate.fluxes);
-  row.estimate = estimate_goal_error(iterate.mesh, input.problem, functional, iterate.values, iterate.dual);
+  row.estimate =
+      estimate_goal_error(iterate.mesh, input.problem, functional, iterate.values, iterate.residual, iterate.dual);
   if (const auto exact = exact_value(input, *input.goal, iterate.mesh)) row.error = *exact - row.value;
   return row;
 }
@@ -181,6 +182,7 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
     const auto solve_on = [&](const Mesh& mesh) { return solve(mesh, input.problem, guess, Estimate::Error); };
     Solution solution = has_cracks(iterate.mesh) ? solve_on(moved_off_cracks(iterate.mesh)) : solve_on(iterate.mesh);
     iterate.values = std::move(solution.values);
+    iterate.residual = std::move(solution.residual);
     iterate.fluxes = std::move(solution.fluxes);
     iterate.solve_report = std::move(solution.report);
     iterate.estimated_error = solution.estimated_error;

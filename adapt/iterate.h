@@ -23,13 +23,14 @@ namespace parmesan {
 /// One state of the adaptive loop: a mesh, the metric that was asked for, and the discrete function.
 struct Iterate {
   Mesh mesh;
-  std::optional<Mesh> relaxed;  // where it differs: the mesh before its error was lowered, the start of the next
-  std::vector<Metric> metrics;  // asked of the mesher, re-evaluated at the vertices of the mesh
-  std::vector<double> values;   // nodal values of the solution, or of the interpolant
-  std::vector<double> dual;     // those of the dual solution, empty without a goal
-  double complexity = 0.0;      // of the metric asked for
-  ClippedSizes clipped;         // by its limits
-  GenerateReport report;        // of the mesher
+  std::optional<Mesh> relaxed;   // where it differs: the mesh before its error was lowered, the start of the next
+  std::vector<Metric> metrics;   // asked of the mesher, re-evaluated at the vertices of the mesh
+  std::vector<double> values;    // nodal values of the solution, or of the interpolant
+  std::vector<double> residual;  // of the discrete equations, what holds the values that are given
+  std::vector<double> dual;      // those of the dual solution, empty without a goal
+  double complexity = 0.0;       // of the metric asked for
+  ClippedSizes clipped;          // by its limits
+  GenerateReport report;         // of the mesher
   std::optional<SolveReport> solve_report;        // absent for an interpolant
   std::map<int, double> fluxes;                   // of the solution out through each label
   std::optional<EstimatedError> estimated_error;  // of the solution

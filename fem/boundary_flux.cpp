@@ -54,9 +54,7 @@ double given_flux(const Mesh& mesh, const Side& side, const BoundaryCondition& c
 }  // namespace
 
 std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
-                                      const AssembledSystem& system, std::span<const double> values) {
-  const Eigen::Map<const Eigen::VectorXd> u(values.data(), static_cast<Eigen::Index>(values.size()));
-  const Eigen::VectorXd residual = system.matrix * u - system.load;
+                                      std::span<const double> residual, std::span<const double> values) {
   std::map<int, double> fluxes;
   std::map<int, VertexFlux> at;
   std::vector<const Side*> dirichlet;
@@ -73,7 +71,7 @@ std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, 
     flux += in_element;
     const SideMoments own = own_flux(mesh, problem, side);
     const auto add = [&](int v, double moment) {
-      VertexFlux& vertex = at.try_emplace(v, VertexFlux{residual[v], 0.0}).first->second;
+      VertexFlux& vertex = at.try_emplace(v, VertexFlux{residual[static_cast<std::size_t>(v)], 0.0}).first->second;
       vertex.remainder += moment - 0.5 * in_element;
       vertex.length += side.length;
     };

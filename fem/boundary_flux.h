@@ -10,7 +10,7 @@ namespace parmesan {
 /// The flux int n.K grad u over all sides of each label that has a condition, n pointing outwards.
 ///
 /// Neumann: the integral of the datum; Robin: of value - coefficient u. Dirichlet: the sum of the residuals
-/// r = A u - F of its vertices, the flux that the discrete equations are in balance with (Carey, Chow & Seager, CMAME
+/// r of its vertices, the flux that the discrete equations are in balance with (Carey, Chow & Seager, CMAME
 /// 50 (1985) 107): it converges like the error of u, not like that of its gradient. Where two Dirichlet labels meet, r
 /// is shared as the gradients in the elements say, the rest in proportion to the sides' lengths. Summed over all
 /// labels,
@@ -18,8 +18,8 @@ namespace parmesan {
 ///     sum of fluxes = int (b.grad u + c u - f)    to round-off.
 ///
 /// For interior constraints with a condition it is the flux into them from both sides.
-/// system: after add_flux_conditions. values: n. Units: U K L^0. Cost: O(n).
+/// residual: r = A u - F, n. values: n. Units: U K L^0. Cost: O(n).
 std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
-                                      const AssembledSystem& system, std::span<const double> values);
+                                      std::span<const double> residual, std::span<const double> values);
 
 }  // namespace parmesan

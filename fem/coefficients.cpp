@@ -51,6 +51,17 @@ double source_at(const Problem& problem, const Point& point, int region) {
   return scalar_at(problem.source, "source", point, region);
 }
 
+MeanCoefficients mean_coefficients(const Problem& problem, const P1Element& element, int region) {
+  MeanCoefficients mean;
+  for (const auto& [lambda, weight] : degree4_rule()) {
+    const Point x = element.at(lambda);
+    const Diffusion k = diffusion_at(problem, x, region);
+    mean.diffusion = mean.diffusion + Diffusion{weight * k.xx, weight * k.xy, weight * k.yy};
+    mean.velocity = mean.velocity + weight * velocity_at(problem, x, region);
+  }
+  return mean;
+}
+
 bool uses_divergence_form(const Problem& problem) { return problem.divergence_form && !problem.velocity; }
 
 double remainder_at(const Problem& problem, const Point& point, int region) {

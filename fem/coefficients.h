@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "fem/p1.h"
 #include "fem/problem.h"
 
 namespace parmesan {
@@ -21,6 +22,13 @@ Diffusion diffusion_at(const Problem& problem, const Point& point, int region);
 Vector velocity_at(const Problem& problem, const Point& point, int region);
 double reaction_at(const Problem& problem, const Point& point, int region);
 double source_at(const Problem& problem, const Point& point, int region);
+
+/// Means of K and b over an element, by the degree 4 rule.
+struct MeanCoefficients {
+  Diffusion diffusion{0.0, 0.0, 0.0};
+  Vector velocity;
+};
+MeanCoefficients mean_coefficients(const Problem& problem, const P1Element& element, int region);
 
 /// What the load is integrated from: int r phi + q.grad phi - the boundary integral of n.q phi, with q the flux and r
 /// the remainder of the divergence form if the problem has one and no velocity; else q = 0 and r is the source. Errors:

@@ -17,49 +17,48 @@ double integral_of_square(double area, const std::array<Vector, 3>& d) {
   return area / 3.0 * sum;
 }
 
-/// A quadratic on a triangle: linear with these corner values, and a surplus.
-struct Quadratic {
+/// An error on a triangle: linear with these corner values, and the quadratic.
+struct LocalError {
   std::array<double, 3> corner{};
-  Surplus surplus{};
+  Quadratic quadratic{};
 
   double at(const Barycentric& l) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) sum += corner[i] * l[i] + 4.0 * surplus[i] * l[(i + 1) % 3] * l[(i + 2) % 3];
-    return sum;
+    return corner[0] * l[0] + corner[1] * l[1] + corner[2] * l[2] + quadratic.at(l);
   }
 };
 
-double integral_of_square(double area, const Quadratic& q) {
+double integral_of_square(double area, const LocalError& e) {
   double sum = 0.0;
-  for (const auto& [lambda, weight] : degree4_rule()) sum += weight * q.at(lambda) * q.at(lambda);
+  for (const auto& [lambda, weight] : degree4_rule()) sum += weight * e.at(lambda) * e.at(lambda);
   return area * sum;
 }
 
-/// Largest |q| on the side opposite to a corner: at its ends, or where the derivative along it vanishes.
-double largest_on_side(const Quadratic& q, std::size_t corner) {
-  const double from = q.corner[(corner + 1) % 3];
-  const double to = q.corner[(corner + 2) % 3];
-  const double s = q.surplus[corner];
+/// Largest |e| on the side opposite to a corner: at its ends, or where the derivative along it vanishes.
+double largest_on_side(const LocalError& e, std::size_t corner) {
+  const double from = e.corner[(corner + 1) % 3];
+  const double to = e.corner[(corner + 2) % 3];
+  const double s = e.quadratic.surplus[corner];
   const double largest = std::max(std::abs(from), std::abs(to));
   const double t = 0.5 + (to - from) / (8.0 * s);
   if (!(t > 0.0 && t < 1.0)) return largest;
   return std::max(largest, std::abs(from + t * (to - from) + 4.0 * s * t * (1.0 - t)));
 }
 
-/// Largest |q| on the triangle: on a side, or where both derivatives vanish, if that is inside.
-double largest(const Quadratic& q) {
+/// Largest |e| on the triangle: on a side, or where both derivatives vanish, if that is inside. With l2 = 1 - l0 - l1,
+///
+///     e = e_2 + 4 (d0 l0 + d1 l1 - b l0^2 - a l1^2 + (c - a - b) l0 l1),    (a, b, c) the surplus.
+double largest(const LocalError& e) {
   double result = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) result = std::max(result, largest_on_side(q, i));
-  // q = q_2 + d0 l0 + d1 l1 + 4 (a l1 (1 - l0 - l1) + b l0 (1 - l0 - l1) + c l0 l1)
-  const auto [a, b, c] = q.surplus;
+  for (std::size_t i = 0; i < 3; ++i) result = std::max(result, largest_on_side(e, i));
+  const auto [a, b, c] = e.quadratic.surplus;
   const double mixed = c - a - b;
-  const double d0 = (q.corner[0] - q.corner[2]) / 4.0 + b;
-  const double d1 = (q.corner[1] - q.corner[2]) / 4.0 + a;
+  const double d0 = (e.corner[0] - e.corner[2]) / 4.0 + b;
+  const double d1 = (e.corner[1] - e.corner[2]) / 4.0 + a;
   const double determinant = 4.0 * a * b - mixed * mixed;
   const double l0 = (2.0 * a * d0 + mixed * d1) / determinant;
   const double l1 = (2.0 * b * d1 + mixed * d0) / determinant;
   const double l2 = 1.0 - l0 - l1;
-  if (l0 > 0.0 && l1 > 0.0 && l2 > 0.0) result = std::max(result, std::abs(q.at({l0, l1, l2})));
+  if (l0 > 0.0 && l1 > 0.0 && l2 > 0.0) result = std::max(result, std::abs(e.at({l0, l1, l2})));
   return result;
 }
 
@@ -72,25 +71,11 @@ std::array<T, 3> at_corners(const Mesh& mesh, std::size_t triangle, std::span<co
 
 }  // namespace
 
-std::vector<Surplus> surpluses(const Mesh& mesh, std::span<const Vector> gradients) {
-  std::vector<Surplus> result(mesh.triangles.size());
-  for (std::size_t t = 0; t < result.size(); ++t) {
-    const std::array<Vector, 3> gradient = at_corners(mesh, t, gradients);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t from = (i + 1) % 3;
-      const std::size_t to = (i + 2) % 3;
-      const auto point = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])]; };
-      result[t][i] = surplus(gradient[from], gradient[to], point(to) - point(from));
-    }
-  }
-  return result;
-}
-
 EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std::span<const double> nodal) {
   double squares = 0.0;
   EstimatedError result;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Quadratic error{.surplus = surplus[t]};
+    LocalError error{.quadratic = {surplus[t]}};
     if (!nodal.empty()) error.corner = at_corners(mesh, t, nodal);
     squares += integral_of_square(p1_element(mesh, static_cast<int>(t)).area, error);
     result.linf = std::max(result.linf, largest(error));

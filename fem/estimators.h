@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
 
+#include "fem/quadratic.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
@@ -14,20 +13,6 @@ struct EstimatedError {
   double h1 = 0.0;
   double linf = 0.0;
 };
-
-/// By how much the function with these gradients at the ends of an edge exceeds, in the middle of the edge, the mean of
-/// its values there; for cubics exactly.
-constexpr double surplus(const Vector& from, const Vector& to, const Vector& edge) {
-  return dot(from - to, edge) / 8.0;
-}
-
-/// The surplus of a function on the edges opposite to the corners of a triangle: its P2 interpolant is the P1 one plus
-///
-///     4 (s_0 l_1 l_2 + s_1 l_2 l_0 + s_2 l_0 l_1).
-using Surplus = std::array<double, 3>;
-
-/// Of each triangle, for the function with these gradients at the vertices. Cost: O(n).
-std::vector<Surplus> surpluses(const Mesh& mesh, std::span<const Vector> gradients);
 
 /// L2 norm and maximum of the error that has this surplus, and these values at the vertices (zero where empty).
 EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std::span<const double> nodal = {});

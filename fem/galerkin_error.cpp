@@ -18,66 +18,22 @@ namespace {
 
 using Moments = std::array<double, 3>;  // against the three basis functions of a triangle
 
-/// The quadratic 4 sum_i s_i l_j l_k on an element.
-struct Bubbles {
-  const P1Element& element;
-  const Surplus& surplus;
-
-  double at(const Barycentric& l) const {
-    return 4.0 * (surplus[0] * l[1] * l[2] + surplus[1] * l[2] * l[0] + surplus[2] * l[0] * l[1]);
-  }
-
-  Vector gradient(const Barycentric& l) const {
-    Vector sum;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const std::size_t k = (i + 2) % 3;
-      sum = sum + 4.0 * surplus[i] * (l[j] * element.gradient[k] + l[k] * element.gradient[j]);
-    }
-    return sum;
-  }
-
-  /// div(K grad) for constant K.
-  double diffused(const Diffusion& k) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += 8.0 * surplus[i] * dot(element.gradient[(i + 1) % 3], k * element.gradient[(i + 2) % 3]);
-    return sum;
-  }
-};
-
-struct MeanCoefficients {
-  Diffusion diffusion{0.0, 0.0, 0.0};
-  Vector velocity;
-};
-
-MeanCoefficients mean_coefficients(const Problem& problem, const P1Element& element, int region) {
-  MeanCoefficients mean;
-  for (const auto& [lambda, weight] : degree4_rule()) {
-    const Point x = element.at(lambda);
-    const Diffusion k = diffusion_at(problem, x, region);
-    mean.diffusion = mean.diffusion + Diffusion{weight * k.xx, weight * k.xy, weight * k.yy};
-    mean.velocity = mean.velocity + weight * velocity_at(problem, x, region);
-  }
-  return mean;
-}
-
 /// B of the quadratic against the basis functions of its triangle: with r = b.grad q + c q,
 ///
 ///     int K grad q . grad phi_i + r phi_i + tau (r - div(K grad q)) b_T.grad phi_i.
 Moments form_moments(const Problem& problem, const P1Element& element, int region, const Surplus& surplus) {
-  const Bubbles q{element, surplus};
+  const Quadratic q{surplus};
   Vector streamline;
   double diffused = 0.0;
   if (problem.velocity && problem.stabilize) {
     const MeanCoefficients mean = mean_coefficients(problem, element, region);
     streamline = supg_parameter(element, mean.velocity, mean.diffusion) * mean.velocity;
-    diffused = q.diffused(mean.diffusion);
+    diffused = q.diffused(element, mean.diffusion);
   }
   Moments moments{};
   for (const auto& [lambda, weight] : degree4_rule()) {
     const Point x = element.at(lambda);
-    const Vector gradient = q.gradient(lambda);
+    const Vector gradient = q.gradient(element, lambda);
     const Vector flux = diffusion_at(problem, x, region) * gradient;
     const double rest = dot(velocity_at(problem, x, region), gradient) + reaction_at(problem, x, region) * q.at(lambda);
     const Vector tested = flux + (rest - diffused) * streamline;

@@ -9,6 +9,7 @@
 #include "fem/discontinuity_capturing.h"
 #include "fem/discrete_problem.h"
 #include "fem/galerkin_error.h"
+#include "fem/recovered_diffusion.h"
 
 namespace parmesan {
 
@@ -31,10 +32,30 @@ void report_range(const Mesh& mesh, const Problem& problem, const std::vector<Si
   if (solution.report.null_components == 0) solution.report.bounds = solution_bounds(mesh, problem, sides);
 }
 
+/// Does SUPG act on any triangle?
+bool is_stabilized(const DiscreteProblem& discrete) {
+  return discrete.problem.velocity && discrete.problem.stabilize && discrete.system.peclet_max > 1.0;
+}
+
+/// A u - F.
+std::vector<double> residual(const RowMatrix& matrix, const std::vector<double>& values, const Eigen::VectorXd& load) {
+  std::vector<double> result(values.size());
+  const Eigen::Map<const Eigen::VectorXd> u(values.data(), load.size());
+  Eigen::Map<Eigen::VectorXd>(result.data(), load.size()) = matrix * u - load;
+  return result;
+}
+
 Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
   const AssembledSystem& system = discrete.system;
-  VertexValues found = discrete.equations.solve(system.load, discrete.fixed.values, guess);
+  Eigen::VectorXd load = system.load;
+  VertexValues found = discrete.equations.solve(load, discrete.fixed.values, guess);
+  if (is_stabilized(discrete)) {
+    load += recovered_diffusion(discrete.mesh, discrete.problem, found.values);
+    remove_imbalance(discrete.null_space, system, load);
+    found = discrete.equations.solve(load, discrete.fixed.values, found.values);
+  }
   Solution solution;
+  solution.residual = residual(system.matrix, found.values, load);
   solution.values = std::move(found.values);
   SolveReport& report = solution.report;
   report.solver = found.linear.solver;
@@ -45,7 +66,8 @@ Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
   report.peclet_max = system.peclet_max;
   report.null_components = static_cast<int>(discrete.null_space.components.size());
   report.compatibility_mismatch = discrete.mismatch;
-  solution.fluxes = boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, system, solution.values);
+  solution.fluxes =
+      boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, solution.residual, solution.values);
   report_range(discrete.mesh, discrete.problem, discrete.sides, solution);
   return solution;
 }

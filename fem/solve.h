@@ -42,6 +42,7 @@ struct SolveReport {
 /// Nodal values of the P1 solution, one per vertex of the mesh.
 struct Solution {
   std::vector<double> values;
+  std::vector<double> residual;  // A u - F, zero to round-off but where values are given: what holds them
   std::map<int, double> fluxes;  // out through each label with a condition (boundary_flux.h)
   SolveReport report;
   std::optional<EstimatedError> estimated_error;  // where it is asked for
@@ -50,7 +51,8 @@ struct Solution {
 /// Is the error of the solution to be estimated (galerkin_error.h)?
 enum class Estimate { Nothing, Error };
 
-/// Assembles and solves the P1 discretisation.
+/// Assembles and solves the P1 discretisation. With SUPG it is solved a second time, with the diffusion that its
+/// residual lacks (recovered_diffusion.h) added to the load.
 ///
 /// guess: nodal values an iterative solver starts from, empty for none.
 ///

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "fem/p1.h"
+#include "fem/problem.h"
+
+namespace parmesan {
+
+/// By how much the function with these gradients at the ends of an edge exceeds, in the middle of the edge, the mean of
+/// its values there; for cubics exactly.
+constexpr double surplus(const Vector& from, const Vector& to, const Vector& edge) {
+  return dot(from - to, edge) / 8.0;
+}
+
+/// The surplus of a function on the edges opposite to the corners of a triangle.
+using Surplus = std::array<double, 3>;
+
+/// Of each triangle, for the function with these gradients at the vertices. Cost: O(n).
+std::vector<Surplus> surpluses(const Mesh& mesh, std::span<const Vector> gradients);
+
+/// A quadratic on a triangle that vanishes at its corners, what the P2 interpolant has above the P1 one:
+///
+///     q = 4 (s_0 l_1 l_2 + s_1 l_2 l_0 + s_2 l_0 l_1).
+struct Quadratic {
+  Surplus surplus{};
+
+  double at(const Barycentric& l) const {
+    return 4.0 * (surplus[0] * l[1] * l[2] + surplus[1] * l[2] * l[0] + surplus[2] * l[0] * l[1]);
+  }
+
+  Vector gradient(const P1Element& element, const Barycentric& l) const;
+
+  /// div(K grad q) for constant K.
+  double diffused(const P1Element& element, const Diffusion& k) const;
+};
+
+}  // namespace parmesan
