@@ -92,7 +92,7 @@ EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double>
   EstimatedError result;
   for (int step = 0; step < num_steps; ++step) {
     const std::vector<Vector> gradients = recover_gradients(mesh, corrected);
-    const std::vector<Surplus> surplus = surpluses(mesh, gradients);
+    const std::vector<Surplus> surplus = surpluses(mesh, corrected, gradients);
     const std::vector<double> nodal = discrete.equations.solve(defect(discrete, values, surplus), zeros).values;
     const EstimatedError estimate = error_of(mesh, surplus, nodal);
     if (step == 0) result.h1 = gradient_error(mesh, values, gradients);

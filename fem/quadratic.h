@@ -18,8 +18,10 @@ constexpr double surplus(const Vector& from, const Vector& to, const Vector& edg
 /// The surplus of a function on the edges opposite to the corners of a triangle.
 using Surplus = std::array<double, 3>;
 
-/// Of each triangle, for the function with these gradients at the vertices. Cost: O(n).
-std::vector<Surplus> surpluses(const Mesh& mesh, std::span<const Vector> gradients);
+/// Of each triangle, for the function with these values and gradients at the vertices. Each end of an edge gives a
+/// surplus of its own, (g.e - rise) / 4 at the first and (rise - g.e) / 4 at the last; theirs is the mean, but at most
+/// three times the smaller one: long edges that end in a layer have no surplus of the layer's size. Cost: O(n).
+std::vector<Surplus> surpluses(const Mesh& mesh, std::span<const double> values, std::span<const Vector> gradients);
 
 /// A quadratic on a triangle that vanishes at its corners, what the P2 interpolant has above the P1 one:
 ///

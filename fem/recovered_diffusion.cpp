@@ -26,7 +26,7 @@ Diffusion crosswind_part(const MeanCoefficients& mean) {
 Eigen::VectorXd recovered_diffusion(const Mesh& mesh, const Problem& problem, std::span<const double> values) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(mesh.num_vertices());
   if (!problem.velocity || !problem.stabilize) return load;
-  const std::vector<Surplus> surplus = surpluses(mesh, recover_gradients(mesh, values));
+  const std::vector<Surplus> surplus = surpluses(mesh, values, recover_gradients(mesh, values));
   std::vector<std::array<double, 3>> moments(mesh.triangles.size());
   for_each_in_parallel(moments.size(), [&](std::size_t t) {
     const P1Element element = p1_element(mesh, static_cast<int>(t));

@@ -19,7 +19,7 @@ double quadratic(const Point& p) { return 1 + 2 * p.x - p.y + 1.5 * p.x * p.x - 
 Vector quadratic_gradient(const Point& p) { return {2 + 3 * p.x - 4 * p.y, -1 - 4 * p.x + 5 * p.y}; }
 
 EstimatedError interpolation_error(const Mesh& mesh, std::span<const double> values) {
-  return error_of(mesh, surpluses(mesh, recover_gradients(mesh, values)));
+  return error_of(mesh, surpluses(mesh, values, recover_gradients(mesh, values)));
 }
 
 /// Largest difference between a P1 function and q, by samples of all triangles.
@@ -81,7 +81,7 @@ TEST_CASE("the error with a surplus and values at the vertices is that of a P1 f
   const std::vector<double> values = interpolate(mesh, quadratic);
   std::vector<double> shifted = values;
   for (std::size_t v = 0; v < values.size(); ++v) shifted[v] -= nodal[v];
-  const EstimatedError e = error_of(mesh, surpluses(mesh, recover_gradients(mesh, values)), nodal);
+  const EstimatedError e = error_of(mesh, surpluses(mesh, values, recover_gradients(mesh, values)), nodal);
   CHECK(e.l2 == Approx(error_norms(mesh, shifted, {quadratic, quadratic_gradient}).l2).epsilon(1e-6));
   CHECK(e.linf == Approx(largest_difference(mesh, shifted, quadratic)).epsilon(1e-3));
 }
