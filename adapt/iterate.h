@@ -50,8 +50,9 @@ Iterate uniform_iterate(const Case& input, double vertices);
 Iterate remesh(const Case& input, const Iterate& previous, const Mesh& background, const HessianMetric& metric,
                const TensorField* hessian);
 
-/// Solves on the mesh of the iterate (or interpolates), the dual problem too where the case has a goal. previous: where
-/// an iterative solver's first guess is taken from, may be null. Errors: as solve.
+/// Solves on the mesh of the iterate (or interpolates), the dual problem too where the case has a goal, and estimates
+/// the error of the solution. previous: where an iterative solver's first guess is taken from, may be null. Errors: as
+/// solve.
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous);
 
 /// Second derivatives, recovered from the discrete or the given function or those of the exact one, as the case asks.
@@ -67,7 +68,7 @@ SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate);
 /// The function that errors are measured against, exact or given, where the case has one.
 std::optional<ExactFunction> known_function(const Case& input);
 
-/// Fills a row from an iterate: errors, efficiency, statistics in the metric, memory. Also sets
+/// Fills a row from an iterate: errors, efficiency, statistics in the metric, memory. Also adds to
 /// iterate.seconds.measure.
 IterationRow measure(const Case& input, Iterate& iterate, int iteration,
                      const std::optional<InterpolationLimit>& limit);

@@ -4,6 +4,13 @@ namespace parmesan {
 
 namespace {
 
+std::vector<Side> checked_sides(const Mesh& mesh, const Problem& problem) {
+  if (mesh.triangles.empty()) throw GeometryError("the mesh has no triangle");
+  std::vector<Side> sides = labelled_sides(mesh);
+  check_conditions(mesh, problem, sides);
+  return sides;
+}
+
 AssembledSystem with_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
                                 std::span<const double> crosswind) {
   AssembledSystem system = assemble(mesh, problem, crosswind);
@@ -13,11 +20,10 @@ AssembledSystem with_conditions(const Mesh& mesh, const Problem& problem, const 
 
 }  // namespace
 
-DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, const std::vector<Side>& the_sides,
-                                 std::span<const double> crosswind)
+DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, std::span<const double> crosswind)
     : mesh(the_mesh),
       problem(the_problem),
-      sides(the_sides),
+      sides(checked_sides(mesh, problem)),
       system(with_conditions(mesh, problem, sides, crosswind)),
       fixed(dirichlet_values(mesh, problem, sides)),
       null_space(find_null_space(mesh, system, fixed)),

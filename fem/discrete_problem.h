@@ -10,15 +10,15 @@ namespace parmesan {
 
 /// The P1 equations of a problem on a mesh, conditions included, ready to be solved.
 struct DiscreteProblem {
-  /// The mesh, the problem and the sides must live as long. crosswind: as assemble. Errors: ProblemError (data).
-  DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, const std::vector<Side>& the_sides,
-                  std::span<const double> crosswind = {});
+  /// The mesh, which is taken to pass validate(), and the problem must live as long. crosswind: as assemble.
+  /// Errors: ProblemError (data), GeometryError (no triangle, or one whose area is not positive in floating point).
+  DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, std::span<const double> crosswind = {});
   DiscreteProblem(const DiscreteProblem&) = delete;
   DiscreteProblem& operator=(const DiscreteProblem&) = delete;
 
   const Mesh& mesh;
   const Problem& problem;
-  const std::vector<Side>& sides;
+  std::vector<Side> sides;
   AssembledSystem system;  // its load balanced
   FixedVertices fixed;     // by Dirichlet data
   NullSpace null_space;

@@ -7,16 +7,13 @@
 #include "fem/boundary_conditions.h"
 #include "fem/boundary_flux.h"
 #include "fem/discontinuity_capturing.h"
-#include "fem/discrete_problem.h"
-#include "fem/galerkin_error.h"
 #include "fem/recovered_diffusion.h"
 
 namespace parmesan {
 
 namespace {
 
-void check_sizes(const Mesh& mesh, std::span<const double> guess) {
-  if (mesh.triangles.empty()) throw GeometryError("the mesh has no triangle");
+void check_size(const Mesh& mesh, std::span<const double> guess) {
   if (!guess.empty() && guess.size() != mesh.points.size()) {
     throw InputError("the guess has " + std::to_string(guess.size()) + " values; the mesh has " +
                      std::to_string(mesh.points.size()) + " vertices");
@@ -80,14 +77,13 @@ double relative_change(const std::vector<double>& before, const Solution& after)
 }
 
 /// Fixed-point iteration for the diffusion that depends on the solution, damped because it may oscillate.
-Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
-                                 Solution solution) {
+Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, Solution solution) {
   constexpr int max_steps = 20;
   constexpr double tolerance = 1e-3;
   constexpr double damping = 0.5;
   std::vector<double> crosswind = crosswind_diffusion(mesh, problem, solution.values);
   for (int step = 1; step <= max_steps; ++step) {
-    DiscreteProblem discrete(mesh, problem, sides, crosswind);
+    DiscreteProblem discrete(mesh, problem, crosswind);
     Solution next = solve_once(discrete, solution.values);
     next.report.capturing_steps = step;
     next.report.capturing_change = relative_change(solution.values, next);
@@ -101,16 +97,17 @@ Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, const
 
 }  // namespace
 
-Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess, Estimate estimate) {
-  check_sizes(mesh, guess);
-  const std::vector<Side> sides = labelled_sides(mesh);
-  check_conditions(mesh, problem, sides);
-  DiscreteProblem discrete(mesh, problem, sides);
+Solution solve(DiscreteProblem& discrete, std::span<const double> guess) {
+  check_size(discrete.mesh, guess);
   Solution solution = solve_once(discrete, guess);
-  if (problem.capture_discontinuities && problem.velocity)
-    solution = capture_discontinuities(mesh, problem, sides, std::move(solution));
-  if (estimate == Estimate::Error) solution.estimated_error = estimate_error(discrete, solution.values);
-  return solution;
+  const Problem& problem = discrete.problem;
+  if (!problem.capture_discontinuities || !problem.velocity) return solution;
+  return capture_discontinuities(discrete.mesh, problem, std::move(solution));
+}
+
+Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess) {
+  DiscreteProblem discrete(mesh, problem);
+  return solve(discrete, guess);
 }
 
 }  // namespace parmesan

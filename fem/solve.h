@@ -1,13 +1,12 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "fem/estimators.h"
+#include "fem/discrete_problem.h"
 #include "fem/problem.h"
 #include "fem/solution_bounds.h"
 
@@ -45,27 +44,23 @@ struct Solution {
   std::vector<double> residual;  // A u - F, zero to round-off but where values are given: what holds them
   std::map<int, double> fluxes;  // out through each label with a condition (boundary_flux.h)
   SolveReport report;
-  std::optional<EstimatedError> estimated_error;  // where it is asked for
 };
 
-/// Is the error of the solution to be estimated (galerkin_error.h)?
-enum class Estimate { Nothing, Error };
-
-/// Assembles and solves the P1 discretisation. With SUPG it is solved a second time, with the diffusion that its
-/// residual lacks (recovered_diffusion.h) added to the load.
+/// Solves the P1 equations; with SUPG a second time, with the diffusion that its residual lacks (recovered_diffusion.h)
+/// added to the load.
 ///
 /// guess: nodal values an iterative solver starts from, empty for none.
 ///
-/// The mesh is taken to pass validate(). Where the boundary and the coefficients leave u open up to a constant (pure
-/// Neumann data on a connected component), its mean value there is zero. Coefficients and the source are called from
-/// several threads at once, boundary data from one. The result has the same bits for any number of threads.
+/// Where the boundary and the coefficients leave u open up to a constant (pure Neumann data on a connected component),
+/// its mean value there is zero. Coefficients and the source are called from several threads at once, boundary data
+/// from one. The result has the same bits for any number of threads.
 ///
 /// Discontinuity capturing makes the problem nonlinear: it is solved again, at most 20 times, until the solution
 /// changes by less than 1e-3 of its range; the report has what was reached.
 ///
-/// Errors: ProblemError (data), SolveError (backward error above 1e-10 after the fallbacks, or singular to working
-/// precision), GeometryError (a triangle whose area is not positive in floating point).
-Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess = {},
-               Estimate estimate = Estimate::Nothing);
+/// Errors: SolveError (backward error above 1e-10 after the fallbacks, or singular to working precision); those of
+/// DiscreteProblem.
+Solution solve(DiscreteProblem& discrete, std::span<const double> guess = {});
+Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess = {});
 
 }  // namespace parmesan
