@@ -259,7 +259,7 @@ class Loop {
 }  // namespace
 
 double target_excess(const Targets& targets, const ErrorNorms& error, double goal) {
-  if (!declares_error_target(targets)) return error.l2;
+  if (!declares_error_target(targets)) return std::isnan(error.l2) ? HUGE_VAL : error.l2;
   double excess = 0.0;
   const auto consider = [&excess](const std::optional<double>& target, double value, bool squared) {
     if (!target) return;

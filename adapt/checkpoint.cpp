@@ -171,6 +171,7 @@ bool is_sound(const Diagnosis& diagnosis) {
 bool is_sound(const Iterate& iterate) {
   const std::size_t n = iterate.mesh.points.size();
   return iterate.metrics.size() == n && iterate.values.size() == n && all_finite(iterate.values) &&
+         (iterate.residual.empty() || iterate.residual.size() == n) && all_finite(iterate.residual) &&
          (iterate.dual.empty() || iterate.dual.size() == n) && all_finite(iterate.dual) &&
          std::isfinite(iterate.complexity) && is_known(iterate.report.start) && is_sound(iterate.report.diagnosis);
 }

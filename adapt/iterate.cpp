@@ -71,9 +71,17 @@ void require_finite(const Case& input, const Iterate& iterate) {
   }
 }
 
+void interpolate_on(const Case& input, Iterate& iterate) {
+  const Stopwatch watch;
+  iterate.values = nodal_values(iterate.mesh, known_function(input).value().value);
+  if (input.exact) require_finite(input, iterate);
+  iterate.seconds.solve = watch.seconds();
+  iterate.seconds.cpu += watch.cpu_seconds();
+}
+
 /// Solves on this mesh, that of the iterate with its cracks opened, and estimates the error.
 void solve_on(const Mesh& mesh, const Case& input, const Iterate* previous, Iterate& iterate) {
-  const Stopwatch solving;
+  Stopwatch watch;
   std::vector<double> guess;
   if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
   DiscreteProblem discrete(mesh, input.problem);
@@ -82,12 +90,18 @@ void solve_on(const Mesh& mesh, const Case& input, const Iterate* previous, Iter
   iterate.residual = std::move(solution.residual);
   iterate.fluxes = std::move(solution.fluxes);
   iterate.solve_report = std::move(solution.report);
-  if (input.goal) iterate.dual = solve_dual(iterate.mesh, input.problem, goal_functional(*input.goal, iterate.mesh));
-  iterate.seconds.solve = solving.seconds();
-  iterate.seconds.cpu += solving.cpu_seconds();
-  const Stopwatch estimating;
+  iterate.seconds.solve = watch.seconds();
+  iterate.seconds.cpu += watch.cpu_seconds();
+  watch = {};
   iterate.estimated_error = estimate_error(discrete, iterate.values);
-  iterate.seconds.measure = estimating.seconds();
+  iterate.seconds.measure = watch.seconds();
+}
+
+void solve_goal(const Case& input, Iterate& iterate) {
+  const Stopwatch watch;
+  iterate.dual = solve_dual(iterate.mesh, input.problem, goal_functional(*input.goal, iterate.mesh));
+  iterate.seconds.solve += watch.seconds();
+  iterate.seconds.cpu += watch.cpu_seconds();
 }
 
 /// Nothing where the source is not finite everywhere: one like 1/r is known by its divergence form only.
@@ -192,15 +206,13 @@ Iterate remesh(const Case& input, const Iterate& previous, const Mesh& backgroun
 }
 
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous) {
-  if (!input.interpolation) {
-    if (!has_cracks(iterate.mesh)) return solve_on(iterate.mesh, input, previous, iterate);
-    return solve_on(moved_off_cracks(iterate.mesh), input, previous, iterate);
+  if (input.interpolation) return interpolate_on(input, iterate);
+  if (has_cracks(iterate.mesh)) {
+    solve_on(moved_off_cracks(iterate.mesh), input, previous, iterate);
+  } else {
+    solve_on(iterate.mesh, input, previous, iterate);
   }
-  const Stopwatch watch;
-  iterate.values = nodal_values(iterate.mesh, known_function(input).value().value);
-  if (input.exact) require_finite(input, iterate);
-  iterate.seconds.solve = watch.seconds();
-  iterate.seconds.cpu += watch.cpu_seconds();
+  if (input.goal) solve_goal(input, iterate);
 }
 
 SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) {
@@ -223,7 +235,7 @@ SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) 
   return result;
 }
 
-IterationRow measure(const Case& input, Iterate& iterate, int iteration,
+IterationRow measure(const Case& input, const Iterate& iterate, int iteration,
                      const std::optional<InterpolationLimit>& limit) {
   const Stopwatch watch;
   IterationRow row;
@@ -243,8 +255,8 @@ IterationRow measure(const Case& input, Iterate& iterate, int iteration,
   if (input.goal) row.goal = goal_row(input, iterate);
   measure_errors(input, iterate, limit, row);
   set_quality(row, iterate.mesh, measure_quality(iterate.mesh, iterate.metrics));
-  iterate.seconds.measure += watch.seconds();
   row.seconds = iterate.seconds;
+  row.seconds.measure += watch.seconds();
   row.peak_memory_mb = peak_memory_mb();
   return row;
 }

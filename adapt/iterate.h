@@ -68,9 +68,8 @@ SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate);
 /// The function that errors are measured against, exact or given, where the case has one.
 std::optional<ExactFunction> known_function(const Case& input);
 
-/// Fills a row from an iterate: errors, efficiency, statistics in the metric, memory. Also adds to
-/// iterate.seconds.measure.
-IterationRow measure(const Case& input, Iterate& iterate, int iteration,
+/// Fills a row from an iterate: errors, efficiency, statistics in the metric, memory, the time of all this.
+IterationRow measure(const Case& input, const Iterate& iterate, int iteration,
                      const std::optional<InterpolationLimit>& limit);
 
 /// The error norms that the case's targets are about: of the solution where it is known, the

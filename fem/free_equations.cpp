@@ -35,10 +35,22 @@ VertexValues FreeEquations::solve(const Eigen::VectorXd& load, std::span<const d
     start[static_cast<Eigen::Index>(i)] = guess[static_cast<std::size_t>(vertices[i])];
   VertexValues result{{given.begin(), given.end()},
                       solver_.solve(reduced_load(system_.matrix, load, fixed_, given), start)};
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    result.values[static_cast<std::size_t>(vertices[i])] = result.linear.x[static_cast<Eigen::Index>(i)];
-  remove_means(null_space_, system_, result.values);
+  set(result.linear.x, result.values);
   return result;
+}
+
+std::optional<std::vector<double>> FreeEquations::approximate(const Eigen::VectorXd& load) {
+  std::vector<double> values(fixed_.size(), 0.0);
+  const std::optional<Eigen::VectorXd> x = solver_.approximate(reduced_load(system_.matrix, load, fixed_, values));
+  if (!x) return std::nullopt;
+  set(*x, values);
+  return values;
+}
+
+void FreeEquations::set(const Eigen::VectorXd& x, std::vector<double>& values) const {
+  for (std::size_t i = 0; i < reduced_.vertices.size(); ++i)
+    values[static_cast<std::size_t>(reduced_.vertices[i])] = x[static_cast<Eigen::Index>(i)];
+  remove_means(null_space_, system_, values);
 }
 
 }  // namespace parmesan

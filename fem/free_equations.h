@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,12 +23,21 @@ class FreeEquations {
   /// is held at is fixed too.
   FreeEquations(const AssembledSystem& system, std::vector<char> fixed, const NullSpace& null_space,
                 const SolverOptions& options = {});
+  FreeEquations(const FreeEquations&) = delete;
+  FreeEquations& operator=(const FreeEquations&) = delete;
 
   /// A x = load where x is free, x = given elsewhere (n values), means zero on the components of the null space.
-  /// guess: n values to iterate from, or none. Errors: as solve_linear.
+  /// guess: n values to iterate from, or none. Errors: as LinearSolver.
   VertexValues solve(const Eigen::VectorXd& load, std::span<const double> given, std::span<const double> guess = {});
 
+  /// The same with zeros in place of given values, as well and as fast as LinearSolver::approximate: n values, or
+  /// nothing.
+  std::optional<std::vector<double>> approximate(const Eigen::VectorXd& load);
+
  private:
+  /// The unknowns among these values at all vertices become x.
+  void set(const Eigen::VectorXd& x, std::vector<double>& values) const;
+
   const AssembledSystem& system_;
   const NullSpace& null_space_;
   std::vector<char> fixed_;

@@ -17,8 +17,9 @@ namespace parmesan {
 /// are then recovered from u_h + e, and e is computed once more; of the two results the larger ones are returned. h1 is
 /// that of recovered gradients alone: to it e adds little.
 ///
-/// Asymptotically exact where the gradients are; too small at singular corners, where they are not (README.md).
-/// Errors: as LinearSolver. Cost: two solutions of equations that are prepared, O(n) besides.
+/// Asymptotically exact where the gradients are; too small at singular corners, where they are not (README.md). l2 and
+/// linf are NaN where e is not found by the method that found u_h. The equations must have been solved before. Errors:
+/// ProblemError where a coefficient is not finite. Cost: two solutions of equations that are prepared, O(n) besides.
 EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double> values);
 
 }  // namespace parmesan

@@ -34,6 +34,7 @@ using Factorization = Eigen::SparseLU<ColumnMatrix>;
 constexpr double MaxBackwardError = 1e-10;
 constexpr double MaxGrowth = 1e14;
 constexpr double IterativeTolerance = 1e-11;  // ||b - Ax|| / ||b||
+constexpr double ApproximateTolerance = 1e-6;
 constexpr int DirectLimitSymmetric = 100'000;
 constexpr int DirectLimitNonsymmetric = 50'000;
 constexpr int MaxRestart = 1000;
@@ -92,7 +93,7 @@ void check_options(const MatrixKind& kind, const SolverOptions& options) {
   }
 }
 
-using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess)>;
+using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess, double tolerance)>;
 
 /// No solution, by the solver of this name.
 LinearResult failure(Eigen::Index unknowns, const char* name) {
@@ -106,7 +107,7 @@ Method direct(const RowMatrix& rows, const char* name) {
   const auto solver = std::make_shared<Solver>();
   if constexpr (requires { solver->cholmod(); }) solver->cholmod().print = 0;  // what fails is reported by the caller
   solver->compute(*matrix);
-  return [matrix, solver, name](const Eigen::VectorXd& b, const Eigen::VectorXd&) {
+  return [matrix, solver, name](const Eigen::VectorXd& b, const Eigen::VectorXd&, double) {
     LinearResult result = failure(b.size(), name);
     if (solver->info() != Eigen::Success) return result;
     result.x = solver->solve(b);
@@ -120,12 +121,12 @@ Method direct(const RowMatrix& rows, const char* name) {
 /// tolerance.
 template <class Solver>
 Method iterative(const std::shared_ptr<Solver>& solver, const RowMatrix& matrix, const char* name) {
-  solver->setTolerance(IterativeTolerance);
   solver->compute(matrix);
   const bool is_prepared = solver->info() == Eigen::Success;
-  return [solver, is_prepared, name](const Eigen::VectorXd& b, const Eigen::VectorXd& guess) {
+  return [solver, is_prepared, name](const Eigen::VectorXd& b, const Eigen::VectorXd& guess, double tolerance) {
     LinearResult result = failure(b.size(), name);
     if (!is_prepared) return result;
+    solver->setTolerance(tolerance);
     const Eigen::VectorXd x = solver->solveWithGuess(b, guess);
     // Where the load is small against A x, the backward error alone would pass a solution far from converged.
     if (solver->info() == Eigen::Success) result.x = x;
@@ -210,7 +211,7 @@ LinearResult LinearSolver::solve(const Eigen::VectorXd& b, const Eigen::VectorXd
   const std::vector<Attempt> attempts = attempts_for(matrix_.rows(), kind_, options_);
   for (; attempt_ < attempts.size(); ++attempt_, method_ = nullptr) {
     if (!method_) method_ = prepared(attempts[attempt_], matrix_, options_.restart);
-    LinearResult result = method_(b, guess);
+    LinearResult result = method_(b, guess, IterativeTolerance);
     result.backward_error = backward_error(matrix_, result.x, b);
     const double grown = growth(matrix_, result.x, b);
     if (result.backward_error <= MaxBackwardError && grown <= MaxGrowth) return result;
@@ -219,6 +220,14 @@ LinearResult LinearSolver::solve(const Eigen::VectorXd& b, const Eigen::VectorXd
   attempt_ = 0;
   throw SolveError("no solution with a backward error of at most 1e-10 and a growth of at most 1e14; reached:" +
                    tried.str());
+}
+
+std::optional<Eigen::VectorXd> LinearSolver::approximate(const Eigen::VectorXd& b) {
+  if (b.isZero(0.0)) return b;
+  if (!method_) return std::nullopt;
+  LinearResult result = method_(b, Eigen::VectorXd::Zero(b.size()), ApproximateTolerance);
+  if (!((b - matrix_ * result.x).norm() <= 2.0 * ApproximateTolerance * b.norm())) return std::nullopt;
+  return std::move(result.x);
 }
 
 }  // namespace parmesan

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "fem/assembly.h"
@@ -45,12 +46,18 @@ class LinearSolver {
   /// Errors: ProblemError when CG or LDLT is wished for a matrix that is not symmetric; InputError for a restart out of
   /// range.
   LinearSolver(const RowMatrix& matrix, const MatrixKind& kind, const SolverOptions& options = {});
+  LinearSolver(const LinearSolver&) = delete;
+  LinearSolver& operator=(const LinearSolver&) = delete;
 
   /// From the guess if the method iterates. Errors: SolveError when no method met both limits.
   LinearResult solve(const Eigen::VectorXd& b, const Eigen::VectorXd& guess);
 
+  /// x with ||b - Ax|| <= 1e-6 ||b||, by the method that solved last and no other: for what is not worth the time of a
+  /// more robust one. Nothing where it does not get there.
+  std::optional<Eigen::VectorXd> approximate(const Eigen::VectorXd& b);
+
  private:
-  using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess)>;
+  using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess, double tolerance)>;
 
   const RowMatrix& matrix_;
   MatrixKind kind_;

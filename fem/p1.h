@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "fem/quadrature.h"
 #include "mesher/mesh.h"
@@ -25,6 +26,14 @@ struct P1Element {
 /// The element of triangle t.
 /// Errors: GeometryError unless its area is positive in floating point.
 P1Element p1_element(const Mesh& mesh, int triangle);
+
+/// The values at the corners of a triangle, of one per vertex of the mesh.
+template <class T>
+std::array<T, 3> at_corners(const Mesh& mesh, std::size_t triangle, std::span<const T> values) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return {values[static_cast<std::size_t>(a)], values[static_cast<std::size_t>(b)],
+          values[static_cast<std::size_t>(c)]};
+}
 
 /// Gradient of the P1 function with these values at the three vertices.
 Vector p1_gradient(const P1Element& element, const std::array<double, 3>& values);

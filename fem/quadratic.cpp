@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/coefficients.h"
-
 namespace parmesan {
 
 namespace {
@@ -40,13 +38,6 @@ Vector Quadratic::gradient(const P1Element& element, const Barycentric& l) const
     const std::size_t k = (i + 2) % 3;
     sum = sum + 4.0 * surplus[i] * (l[j] * element.gradient[k] + l[k] * element.gradient[j]);
   }
-  return sum;
-}
-
-double Quadratic::diffused(const P1Element& element, const Diffusion& k) const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-    sum += 8.0 * surplus[i] * dot(element.gradient[(i + 1) % 3], k * element.gradient[(i + 2) % 3]);
   return sum;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/problem.h"
 
@@ -34,9 +35,19 @@ struct Quadratic {
   }
 
   Vector gradient(const P1Element& element, const Barycentric& l) const;
-
-  /// div(K grad q) for constant K.
-  double diffused(const P1Element& element, const Diffusion& k) const;
 };
+
+/// div(K grad w), w the quadratic and a linear function with this gradient: the divergence of the linear function that
+/// K grad w is at three points inside.
+template <class DiffusionAt>
+double diffused(const P1Element& element, const Vector& linear, const Quadratic& quadratic, const DiffusionAt& k) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Barycentric l{1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0};
+    l[i] = 2.0 / 3.0;  // where the function 2 l_i - 1/3 is 1, and 0 at the others
+    sum += 2.0 * dot(element.gradient[i], k(element.at(l)) * (linear + quadratic.gradient(element, l)));
+  }
+  return sum;
+}
 
 }  // namespace parmesan

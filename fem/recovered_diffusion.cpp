@@ -1,5 +1,6 @@
 #include "fem/recovered_diffusion.h"
 
+#include <array>
 #include <vector>
 
 #include "fem/coefficients.h"
@@ -12,13 +13,28 @@ namespace parmesan {
 
 namespace {
 
-/// K less its part along the flow, K_b b b^T / |b|^2 with K_b = b.K b / |b|^2.
-Diffusion crosswind_part(const MeanCoefficients& mean) {
-  const double squared_speed = squared_norm(mean.velocity);
-  if (squared_speed == 0.0) return mean.diffusion;
-  const auto& [x, y] = mean.velocity;
-  const double along = -dot(mean.velocity, mean.diffusion * mean.velocity) / (squared_speed * squared_speed);
-  return mean.diffusion + Diffusion{along * x * x, along * x * y, along * y * y};
+/// K less its part along the unit vector b, (b.K b) b b^T.
+Diffusion crosswind_part(const Diffusion& k, const Vector& b) {
+  const double along = -dot(b, k * b);
+  return k + Diffusion{along * b.x * b.x, along * b.x * b.y, along * b.y * b.y};
+}
+
+/// What a triangle adds to the loads of its vertices.
+std::array<double, 3> local_load(const Mesh& mesh, const Problem& problem, std::size_t t,
+                                 std::span<const double> values, const Surplus& surplus) {
+  const P1Element element = p1_element(mesh, static_cast<int>(t));
+  const int region = mesh.regions[t];
+  const MeanCoefficients mean = mean_coefficients(problem, element, region);
+  const double tau = supg_parameter(element, mean.velocity, mean.diffusion);
+  if (tau == 0.0) return {};
+  const Vector direction = (1.0 / norm(mean.velocity)) * mean.velocity;
+  const double diffusion =
+      diffused(element, p1_gradient(element, at_corners(mesh, t, values)), Quadratic{surplus},
+               [&](const Point& x) { return crosswind_part(diffusion_at(problem, x, region), direction); });
+  std::array<double, 3> load{};
+  for (std::size_t i = 0; i < 3; ++i)
+    load[i] = element.area * tau * diffusion * dot(mean.velocity, element.gradient[i]);
+  return load;
 }
 
 }  // namespace
@@ -27,16 +43,11 @@ Eigen::VectorXd recovered_diffusion(const Mesh& mesh, const Problem& problem, st
   Eigen::VectorXd load = Eigen::VectorXd::Zero(mesh.num_vertices());
   if (!problem.velocity || !problem.stabilize) return load;
   const std::vector<Surplus> surplus = surpluses(mesh, values, recover_gradients(mesh, values));
-  std::vector<std::array<double, 3>> moments(mesh.triangles.size());
-  for_each_in_parallel(moments.size(), [&](std::size_t t) {
-    const P1Element element = p1_element(mesh, static_cast<int>(t));
-    const MeanCoefficients mean = mean_coefficients(problem, element, mesh.regions[t]);
-    const Vector streamline = supg_parameter(element, mean.velocity, mean.diffusion) * mean.velocity;
-    const double diffused = element.area * Quadratic{surplus[t]}.diffused(element, crosswind_part(mean));
-    for (std::size_t i = 0; i < 3; ++i) moments[t][i] = diffused * dot(streamline, element.gradient[i]);
-  });
-  for (std::size_t t = 0; t < moments.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) load[mesh.triangles[t][i]] += moments[t][i];
+  std::vector<std::array<double, 3>> local(mesh.triangles.size());
+  for_each_in_parallel(local.size(),
+                       [&](std::size_t t) { local[t] = local_load(mesh, problem, t, values, surplus[t]); });
+  for (std::size_t t = 0; t < local.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) load[mesh.triangles[t][i]] += local[t][i];
   }
   return load;
 }

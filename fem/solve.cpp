@@ -49,7 +49,9 @@ Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
   if (is_stabilized(discrete)) {
     load += recovered_diffusion(discrete.mesh, discrete.problem, found.values);
     remove_imbalance(discrete.null_space, system, load);
+    const int before = found.linear.iterations;
     found = discrete.equations.solve(load, discrete.fixed.values, found.values);
+    found.linear.iterations += before;
   }
   Solution solution;
   solution.residual = residual(system.matrix, found.values, load);

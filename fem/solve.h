@@ -21,7 +21,7 @@ class SolveError : public std::runtime_error {
 struct SolveReport {
   std::string solver;  // "LDLT", "LU", "CG", "BiCGSTAB", "GMRES"
   int unknowns = 0;
-  int iterations = 0;           // 0 for direct solvers
+  int iterations = 0;           // of all that solved the equations; 0 for direct solvers
   double backward_error = 0.0;  // ||b - Ax|| / (||A|| ||x|| + ||b||)
   double peclet_min = 0.0;      // mesh Peclet number |b| h_b / (2 K_b) in the direction of b
   double peclet_max = 0.0;

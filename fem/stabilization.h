@@ -23,9 +23,9 @@ double mesh_peclet(const P1Element& element, const Vector& b, const Diffusion& k
 /// Zero where Pe <= 1.
 ///
 /// Never more than the time 1 / sum_i grad phi_i . K grad phi_i in which diffusion crosses the element
-/// the short way. P1 residuals lack div(K grad u), so tau times that term is an error of
-/// consistency: in a layer along b, with elements long in b and thin across it, it would be of
-/// order h_b. The bound acts only on such elements. Units: L^2 / K.
+/// the short way. P1 residuals lack div(K grad u), so tau times the error of what recovered_diffusion.h puts in its
+/// place is one of consistency: in a layer along b, with elements long in b and thin across it, it would be of order
+/// h_b times that. The bound acts only on such elements. Units: L^2 / K.
 double supg_parameter(const P1Element& element, const Vector& b, const Diffusion& k);
 
 }  // namespace parmesan

@@ -83,6 +83,10 @@ TEST_CASE("fluxes, source and transport are in balance on any mesh, SUPG or not"
   const Mesh mesh = random_square(9, 0.24, 6);
   const Solution solution = solve(mesh, problem);
   const double out = sum(solution.fluxes);
+  const FixedVertices fixed = dirichlet_values(mesh, problem, labelled_sides(mesh));
+  for (std::size_t v = 0; v < fixed.fixed.size(); ++v) {
+    if (!fixed.fixed[v]) CHECK(solution.residual[v] == Approx(0.0).margin(1e-9));
+  }
   const double balance = transported(mesh, solution.values, b, c) - 7.0 / 6.0 - 0.5;
   CHECK(out == Approx(balance).epsilon(1e-9));
 }

@@ -100,11 +100,17 @@ TEST_CASE("every method with every preconditioner finds the solution that is kno
   const RowMatrix matrix = reduced(mesh, problem).matrix;
   Eigen::VectorXd x(matrix.rows());
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = 1.0 + std::sin(0.01 * static_cast<double>(i * i));
-  const LinearResult result = solve_linear(matrix, matrix * x, {symmetric, symmetric, 0.2},
-                                           Eigen::VectorXd::Zero(x.size()), {method, preconditioner, 30});
+  LinearSolver solver(matrix, {symmetric, symmetric, 0.2}, {method, preconditioner, 30});
+  CHECK(!solver.approximate(matrix * x));  // nothing has solved yet
+  const LinearResult result = solver.solve(matrix * x, Eigen::VectorXd::Zero(x.size()));
   CHECK(result.solver == std::array{"", "LDLT", "LU", "CG", "BiCGSTAB", "GMRES"}[static_cast<std::size_t>(method)]);
   CHECK((result.iterations > 0) == (method != SolverMethod::Ldlt && method != SolverMethod::Lu));
   CHECK((result.x - x).lpNorm<Eigen::Infinity>() < 1e-7);
+  // What is prepared does for other loads.
+  const Eigen::VectorXd y = x.reverse();
+  CHECK((solver.solve(matrix * y, x).x - y).lpNorm<Eigen::Infinity>() < 1e-7);
+  CHECK((solver.approximate(matrix * y).value() - y).lpNorm<Eigen::Infinity>() < 1e-2);
+  CHECK((solver.solve(matrix * x, y).x - x).lpNorm<Eigen::Infinity>() < 1e-7);
 }
 
 TEST_CASE("GMRES that keeps all vectors ends after as many steps as there are different eigenvalues",

@@ -71,7 +71,11 @@ TEST_CASE("a quadratic's gradient and diffusion are those of differences", "[fem
   const double yy = (at(c.x, c.y + h) - 2 * at(c.x, c.y) + at(c.x, c.y - h)) / (h * h);
   const double xy =
       (at(c.x + h, c.y + h) - at(c.x - h, c.y + h) - at(c.x + h, c.y - h) + at(c.x - h, c.y - h)) / (4 * h * h);
-  CHECK(q.diffused(element, k) == Approx(k.xx * xx + 2 * k.xy * xy + k.yy * yy).epsilon(1e-6));
+  const double expected = k.xx * xx + 2 * k.xy * xy + k.yy * yy;
+  CHECK(diffused(element, {3, -1}, q, [&k](const Point&) { return k; }) == Approx(expected).epsilon(1e-6));
+  // K that varies, of a linear function: d/dx (3 K_xx - K_xy) + d/dy (3 K_xy - K_yy).
+  const auto varying = [](const Point& p) { return Diffusion{1 + 2 * p.x, 0.5 * p.y, 3 - p.y}; };
+  CHECK(diffused(element, {3, -1}, Quadratic{}, varying) == Approx(6 - 0 + 1.5 + 1));
 }
 
 }  // namespace parmesan

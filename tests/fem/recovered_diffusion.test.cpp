@@ -63,6 +63,14 @@ TEST_CASE("the load of recovered diffusion is that of a quadratic's exact second
   CHECK(recovered_diffusion(mesh, problem, u).isZero(0.0));
 }
 
+TEST_CASE("recovered diffusion is finite where the velocity nearly vanishes", "[fem][supg]") {
+  Problem problem;
+  problem.diffusion = [](const Point&, int) { return Diffusion{1e-3, 0, 1e-3}; };
+  problem.velocity = [](const Point& p, int) { return Vector{0, std::exp(-700 * p.x)}; };
+  const Mesh mesh = rectangle_mesh(16, 16);
+  CHECK(recovered_diffusion(mesh, problem, interpolate(mesh, Wave::value)).allFinite());
+}
+
 TEST_CASE("in a layer along the flow SUPG costs no accuracy", "[fem][supg]") {
   const ParallelLayer layer;
   const Mesh mesh = mapped(random_square(40, 0.2, 5), [](const Point& p) { return Point{4 * p.x, p.y}; });
