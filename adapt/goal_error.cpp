@@ -50,13 +50,6 @@ std::vector<double> prolonged(const Refinement& fine, std::span<const double> va
   return result;
 }
 
-/// The equations of all vertices, conditions included.
-AssembledSystem equations(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
-  AssembledSystem system = assemble(mesh, problem);
-  add_flux_conditions(mesh, problem, sides, system);
-  return system;
-}
-
 /// At the new vertices: what the dual is more there than half-way between its values at the ends.
 std::vector<double> dual_surplus(const Mesh& coarse, const Refinement& fine, std::span<const double> dual,
                                  const FixedVertices& fixed) {
@@ -94,7 +87,7 @@ GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const Go
   const std::vector<Side> sides = labelled_sides(fine.mesh);
   Problem unstabilized = problem;
   unstabilized.stabilize = false;
-  const AssembledSystem system = equations(fine.mesh, unstabilized, sides);
+  const AssembledSystem system = assemble_with_conditions(fine.mesh, unstabilized, sides);
   const FixedVertices fixed = dirichlet_values(fine.mesh, problem, sides);
   const std::vector<double> u = prolonged(fine, values);
   std::vector<double> z = prolonged(fine, dual);

@@ -118,6 +118,13 @@ void add_flux_conditions(const Mesh& mesh, const Problem& problem, const std::ve
   }
 }
 
+AssembledSystem assemble_with_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                                         std::span<const double> crosswind) {
+  AssembledSystem system = assemble(mesh, problem, crosswind);
+  add_flux_conditions(mesh, problem, sides, system);
+  return system;
+}
+
 FixedVertices dirichlet_values(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
   FixedVertices result{std::vector<char>(mesh.points.size(), 0), std::vector<double>(mesh.points.size(), 0.0)};
   std::vector<int> label(mesh.points.size(), 0);

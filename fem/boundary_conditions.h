@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "fem/assembly.h"
@@ -41,6 +42,10 @@ void check_conditions(const Mesh& mesh, const Problem& problem, const std::vecto
 /// Errors: ProblemError where the data are not finite.
 void add_flux_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
                          AssembledSystem& system);
+
+/// The equations of all vertices with these conditions. Errors: as assemble and add_flux_conditions.
+AssembledSystem assemble_with_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                                         std::span<const double> crosswind = {});
 
 /// Vertices whose value is given.
 struct FixedVertices {

@@ -13,10 +13,7 @@ namespace {
 /// n.K grad u_h in the triangle at the middle of the side; nothing of it is known for interior constraints.
 double element_flux(const Mesh& mesh, const Problem& problem, const Side& side, std::span<const double> values) {
   if (side.interior) return 0.0;
-  std::array<double, 3> u{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    u[i] = values[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(side.triangle)][i])];
-  }
+  const std::array<double, 3> u = at_corners(mesh, static_cast<std::size_t>(side.triangle), values);
   const Point middle = midpoint(mesh.points[static_cast<std::size_t>(side.from)],  //
                                 mesh.points[static_cast<std::size_t>(side.to)]);
   const Vector gradient = p1_gradient(p1_element(mesh, side.triangle), u);

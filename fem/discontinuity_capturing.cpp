@@ -38,9 +38,8 @@ std::vector<double> crosswind_diffusion(const Mesh& mesh, const Problem& problem
   std::vector<double> result(mesh.triangles.size(), 0.0);
   if (!problem.velocity) return result;
   for_each_in_parallel(result.size(), [&](std::size_t t) {
-    std::array<double, 3> u{};
-    for (std::size_t i = 0; i < 3; ++i) u[i] = values[static_cast<std::size_t>(mesh.triangles[t][i])];
-    result[t] = crosswind_diffusion(problem, p1_element(mesh, static_cast<int>(t)), u, mesh.regions[t]);
+    result[t] = crosswind_diffusion(problem, p1_element(mesh, static_cast<int>(t)), at_corners(mesh, t, values),
+                                    mesh.regions[t]);
   });
   return result;
 }

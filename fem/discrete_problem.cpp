@@ -11,20 +11,13 @@ std::vector<Side> checked_sides(const Mesh& mesh, const Problem& problem) {
   return sides;
 }
 
-AssembledSystem with_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
-                                std::span<const double> crosswind) {
-  AssembledSystem system = assemble(mesh, problem, crosswind);
-  add_flux_conditions(mesh, problem, sides, system);
-  return system;
-}
-
 }  // namespace
 
 DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, std::span<const double> crosswind)
     : mesh(the_mesh),
       problem(the_problem),
       sides(checked_sides(mesh, problem)),
-      system(with_conditions(mesh, problem, sides, crosswind)),
+      system(assemble_with_conditions(mesh, problem, sides, crosswind)),
       fixed(dirichlet_values(mesh, problem, sides)),
       null_space(find_null_space(mesh, system, fixed)),
       mismatch(balance_load(mesh, null_space, system)),

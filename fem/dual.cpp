@@ -73,8 +73,7 @@ void make_blind_to_means(const NullSpace& null_space, AssembledSystem& system) {
 std::vector<double> solve_dual(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal) {
   const std::vector<Side> sides = labelled_sides(mesh);
   check_conditions(mesh, problem, sides);
-  AssembledSystem system = assemble(mesh, problem);
-  add_flux_conditions(mesh, problem, sides, system);
+  AssembledSystem system = assemble_with_conditions(mesh, problem, sides);
   const Functional load = dual_load(mesh, problem, sides, goal);
   system.load = Eigen::Map<const Eigen::VectorXd>(load.data(), static_cast<Eigen::Index>(load.size()));
   const FixedVertices fixed = dirichlet_values(mesh, with_dual_data(problem, goal.fluxes), sides);

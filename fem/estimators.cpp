@@ -68,8 +68,7 @@ EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std:
   double squares = 0.0;
   EstimatedError result;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    LocalError error{.quadratic = {surplus[t]}};
-    if (!nodal.empty()) error.corner = at_corners(mesh, t, nodal);
+    const LocalError error{.corner = at_corners(mesh, t, nodal), .quadratic = {surplus[t]}};
     squares += integral_of_square(p1_element(mesh, static_cast<int>(t)).area, error);
     const double most = largest(error);
     if (!(most <= result.linf)) result.linf = most;  // NaN stays

@@ -1,31 +1,28 @@
 #include "fem/galerkin_error.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <vector>
 
 #include "fem/coefficients.h"
 #include "fem/p1.h"
-#include "fem/parallel.h"
 #include "fem/quadrature.h"
 #include "fem/recovery.h"
 #include "fem/side_integrals.h"
 #include "fem/stabilization.h"
+#include "fem/triangle_loads.h"
 
 namespace parmesan {
 
 namespace {
-
-using Moments = std::array<double, 3>;  // against the three basis functions of a triangle
 
 /// B of the quadratic q against the basis functions of its triangle: with r = b.grad q + c q and w the P1 function,
 ///
 ///     int K grad q . grad phi_i + r phi_i + tau (r - div(K grad(w + q))) b_T.grad phi_i.
 ///
 /// The discrete equations lack the diffusion of w.
-Moments form_moments(const Problem& problem, const P1Element& element, int region, const Vector& w,
-                     const Surplus& surplus) {
+TriangleLoad form_moments(const Problem& problem, const P1Element& element, int region, const Vector& w,
+                          const Surplus& surplus) {
   const Quadratic q{surplus};
   Vector streamline;
   double diffusion = 0.0;
@@ -34,7 +31,7 @@ Moments form_moments(const Problem& problem, const P1Element& element, int regio
     streamline = supg_parameter(element, mean.velocity, mean.diffusion) * mean.velocity;
     diffusion = diffused(element, w, q, [&](const Point& x) { return diffusion_at(problem, x, region); });
   }
-  Moments moments{};
+  TriangleLoad moments{};
   for (const auto& [lambda, weight] : degree4_rule()) {
     const Point x = element.at(lambda);
     const Vector gradient = q.gradient(element, lambda);
@@ -74,17 +71,13 @@ void subtract_robin(const DiscreteProblem& discrete, std::span<const Surplus> su
 Eigen::VectorXd defect(const DiscreteProblem& discrete, std::span<const double> values, std::span<const double> w,
                        std::span<const Surplus> surplus) {
   const Mesh& mesh = discrete.mesh;
-  std::vector<Moments> moments(mesh.triangles.size());
-  for_each_in_parallel(moments.size(), [&](std::size_t t) {
-    const P1Element element = p1_element(mesh, static_cast<int>(t));
-    const Vector gradient = p1_gradient(element, at_corners(mesh, t, w));
-    moments[t] = form_moments(discrete.problem, element, mesh.regions[t], gradient, surplus[t]);
-  });
   const Eigen::Map<const Eigen::VectorXd> u(values.data(), static_cast<Eigen::Index>(values.size()));
   Eigen::VectorXd load = discrete.system.load - discrete.system.matrix * u;
-  for (std::size_t t = 0; t < moments.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) load[mesh.triangles[t][i]] -= moments[t][i];
-  }
+  load -= sum_of_loads(mesh, [&](std::size_t t) {
+    const P1Element element = p1_element(mesh, static_cast<int>(t));
+    const Vector gradient = p1_gradient(element, at_corners(mesh, t, w));
+    return form_moments(discrete.problem, element, mesh.regions[t], gradient, surplus[t]);
+  });
   subtract_robin(discrete, surplus, load);
   remove_imbalance(discrete.null_space, discrete.system, load);
   return load;

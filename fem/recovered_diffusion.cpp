@@ -1,13 +1,12 @@
 #include "fem/recovered_diffusion.h"
 
-#include <array>
 #include <vector>
 
 #include "fem/coefficients.h"
-#include "fem/parallel.h"
 #include "fem/quadratic.h"
 #include "fem/recovery.h"
 #include "fem/stabilization.h"
+#include "fem/triangle_loads.h"
 
 namespace parmesan {
 
@@ -20,8 +19,8 @@ Diffusion crosswind_part(const Diffusion& k, const Vector& b) {
 }
 
 /// What a triangle adds to the loads of its vertices.
-std::array<double, 3> local_load(const Mesh& mesh, const Problem& problem, std::size_t t,
-                                 std::span<const double> values, const Surplus& surplus) {
+TriangleLoad local_load(const Mesh& mesh, const Problem& problem, std::size_t t, std::span<const double> values,
+                        const Surplus& surplus) {
   const P1Element element = p1_element(mesh, static_cast<int>(t));
   const int region = mesh.regions[t];
   const MeanCoefficients mean = mean_coefficients(problem, element, region);
@@ -31,7 +30,7 @@ std::array<double, 3> local_load(const Mesh& mesh, const Problem& problem, std::
   const double diffusion =
       diffused(element, p1_gradient(element, at_corners(mesh, t, values)), Quadratic{surplus},
                [&](const Point& x) { return crosswind_part(diffusion_at(problem, x, region), direction); });
-  std::array<double, 3> load{};
+  TriangleLoad load{};
   for (std::size_t i = 0; i < 3; ++i)
     load[i] = element.area * tau * diffusion * dot(mean.velocity, element.gradient[i]);
   return load;
@@ -40,16 +39,9 @@ std::array<double, 3> local_load(const Mesh& mesh, const Problem& problem, std::
 }  // namespace
 
 Eigen::VectorXd recovered_diffusion(const Mesh& mesh, const Problem& problem, std::span<const double> values) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(mesh.num_vertices());
-  if (!problem.velocity || !problem.stabilize) return load;
+  if (!problem.velocity || !problem.stabilize) return Eigen::VectorXd::Zero(mesh.num_vertices());
   const std::vector<Surplus> surplus = surpluses(mesh, values, recover_gradients(mesh, values));
-  std::vector<std::array<double, 3>> local(mesh.triangles.size());
-  for_each_in_parallel(local.size(),
-                       [&](std::size_t t) { local[t] = local_load(mesh, problem, t, values, surplus[t]); });
-  for (std::size_t t = 0; t < local.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) load[mesh.triangles[t][i]] += local[t][i];
-  }
-  return load;
+  return sum_of_loads(mesh, [&](std::size_t t) { return local_load(mesh, problem, t, values, surplus[t]); });
 }
 
 }  // namespace parmesan
