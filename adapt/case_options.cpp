@@ -131,6 +131,10 @@ void read_goal(CaseReading& reading, const Json& section, Case& result) {
   if (result.interpolation) {
     return reading.issues.add(pointer, "a function that is interpolated has no goal; give an equation");
   }
+  if (result.problem.correct_defect) {
+    return reading.issues.add(
+        pointer, "corrects its own values by the dual solution: leave 'defect_correction' out of the problem");
+  }
   if (!reading.issues.clean("/functionals")) return;
   if (!section.contains("goal") && names.size() != 1) {
     return reading.issues.add(pointer, "needs 'goal', the name of a functional. There are: " + known);

@@ -197,6 +197,11 @@ void read_equation(CaseReading& reading, const CaseGeometry* geometry, Case& res
   result.problem.point_sources = reader.point_sources();
   result.problem.stabilize = section.value("stabilize", Json(true)) == true;
   result.problem.capture_discontinuities = section.value("discontinuity_capturing", Json(false)) == true;
+  result.problem.correct_defect = section.value("defect_correction", Json(false)) == true;
+  if (result.problem.correct_defect && result.problem.capture_discontinuities) {
+    reading.issues.add("/problem/defect_correction",
+                       "takes back what 'discontinuity_capturing' adds; leave one of them out");
+  }
   if (geometry == nullptr) return;
   result.problem.boundary = read_boundary(reading, *geometry, equation);
   if (equation && exact && reading.issues.empty()) {

@@ -262,6 +262,8 @@ constexpr const char* kSchema = R"schema({
                        "description": "SUPG where the mesh Peclet number exceeds 1" },
         "discontinuity_capturing": { "type": "boolean", "default": false,
                                      "description": "diffusion across the flow where layers are not resolved" },
+        "defect_correction": { "type": "boolean", "default": false,
+                               "description": "adds to nodal values what Galerkin's method lacks at the vertices" },
         "boundary": { "type": "object", "minProperties": 1, "additionalProperties": { "$ref": "#/$defs/condition" },
                       "description": "per label, \"*\" for all others" }
       }
@@ -421,7 +423,7 @@ constexpr const char* kSchema = R"schema({
         "edge_length.min", "edge_length.max", "quality.min", "quality.p01", "quality.mean",
         "quality.min_away_from_corners", "functionals", "fluxes", "bounds.lower", "bounds.upper", "bounds.overshoot",
         "bounds.undershoot", "solver.backward_error", "solver.unknowns", "solver.iterations", "solver.peclet_min",
-        "solver.peclet_max", "seconds.mesh", "seconds.solve", "seconds.recover", "seconds.total",
+        "solver.peclet_max", "solver.correction_change", "seconds.mesh", "seconds.solve", "seconds.recover", "seconds.total",
         "peak_memory_mb"] },
       "additionalProperties": { "anyOf": [{ "type": "boolean" }, { "$ref": "#/$defs/limits" }] }
     }

@@ -74,7 +74,8 @@ void fields(Archive& archive, SolutionBounds& b) {
 template <class Archive>
 void fields(Archive& archive, SolveReport& r) {
   archive(r.solver, r.unknowns, r.iterations, r.backward_error, r.peclet_min, r.peclet_max, r.capturing_steps,
-          r.capturing_change, r.null_components, r.compatibility_mismatch, r.minimum, r.maximum, r.bounds);
+          r.capturing_change, r.correction_steps, r.correction_change, r.null_components, r.compatibility_mismatch,
+          r.minimum, r.maximum, r.bounds);
 }
 
 template <class Archive>
@@ -142,7 +143,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Bytes in another order or another layout of the fields have another number here.
-constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'06;
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'07;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
 
 void check_mesh(const Mesh& mesh) {

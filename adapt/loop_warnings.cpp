@@ -64,6 +64,14 @@ std::optional<std::string> of_unresolved(const IterationRow& last) {
          short_number(last.estimated_error->h1, 3);
 }
 
+// Of a correction that was asked for.
+std::optional<std::string> of_correction(const IterationRow& last) {
+  if (!last.solve_report || last.solve_report->correction_converges()) return std::nullopt;
+  return "the values are Galerkin's: defect correction does not converge on the last mesh, its last step of " +
+         std::to_string(last.solve_report->correction_steps) + " changed it by a factor of " +
+         short_number(last.solve_report->correction_change, 2);
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed) {
@@ -77,6 +85,7 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   }
   add(of_nonfinite(last));
   add(of_unresolved(last));
+  add(of_correction(last));
   return warnings;
 }
 

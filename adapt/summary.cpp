@@ -65,6 +65,8 @@ Json solver(const std::optional<SolveReport>& r) {
               {"peclet_max", number(r->peclet_max)},
               {"capturing_steps", r->capturing_steps},
               {"capturing_change", number(r->capturing_change)},
+              {"correction_steps", r->correction_steps},
+              {"correction_change", number(r->correction_change)},
               {"constant_components", r->null_components},
               {"compatibility_mismatch", number(r->compatibility_mismatch)}};
 }

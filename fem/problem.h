@@ -61,6 +61,7 @@ struct Problem {
   std::map<int, BoundaryCondition> boundary;
   bool stabilize = true;                 // SUPG where the mesh Peclet number exceeds 1
   bool capture_discontinuities = false;  // diffusion across the flow where layers are not resolved
+  bool correct_defect = false;           // nodal values corrected for what Galerkin's method adds to the error
   SolverOptions solver;
 };
 

@@ -6,6 +6,7 @@
 
 #include "fem/boundary_conditions.h"
 #include "fem/boundary_flux.h"
+#include "fem/defect_correction.h"
 #include "fem/discontinuity_capturing.h"
 #include "fem/recovered_diffusion.h"
 
@@ -65,10 +66,24 @@ Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
   report.peclet_max = system.peclet_max;
   report.null_components = static_cast<int>(discrete.null_space.components.size());
   report.compatibility_mismatch = discrete.mismatch;
+  return solution;
+}
+
+/// What follows from the values and the residual.
+void finish(const DiscreteProblem& discrete, Solution& solution) {
   solution.fluxes =
       boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, solution.residual, solution.values);
   report_range(discrete.mesh, discrete.problem, discrete.sides, solution);
-  return solution;
+}
+
+/// Takes the corrected values where they are known.
+void correct(DiscreteProblem& discrete, Solution& solution) {
+  CorrectedValues corrected = correct_defect(discrete, solution.values);
+  solution.report.correction_steps = corrected.steps;
+  solution.report.correction_change = corrected.change;
+  if (!solution.report.correction_converges()) return;
+  solution.values = std::move(corrected.values);
+  solution.residual = std::move(corrected.residual);
 }
 
 /// The largest change of a value over the range of the new ones.
@@ -87,6 +102,7 @@ Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, Solut
   for (int step = 1; step <= max_steps; ++step) {
     DiscreteProblem discrete(mesh, problem, crosswind);
     Solution next = solve_once(discrete, solution.values);
+    finish(discrete, next);
     next.report.capturing_steps = step;
     next.report.capturing_change = relative_change(solution.values, next);
     solution = std::move(next);
@@ -103,8 +119,10 @@ Solution solve(DiscreteProblem& discrete, std::span<const double> guess) {
   check_size(discrete.mesh, guess);
   Solution solution = solve_once(discrete, guess);
   const Problem& problem = discrete.problem;
-  if (!problem.capture_discontinuities || !problem.velocity) return solution;
-  return capture_discontinuities(discrete.mesh, problem, std::move(solution));
+  const bool captures = problem.capture_discontinuities && problem.velocity;
+  if (problem.correct_defect && !captures) correct(discrete, solution);
+  finish(discrete, solution);
+  return captures ? capture_discontinuities(discrete.mesh, problem, std::move(solution)) : solution;
 }
 
 Solution solve(const Mesh& mesh, const Problem& problem, std::span<const double> guess) {

@@ -25,13 +25,18 @@ struct SolveReport {
   double backward_error = 0.0;  // ||b - Ax|| / (||A|| ||x|| + ||b||)
   double peclet_min = 0.0;      // mesh Peclet number |b| h_b / (2 K_b) in the direction of b
   double peclet_max = 0.0;
-  int capturing_steps = 0;        // solves that discontinuity capturing took beyond the first
-  double capturing_change = 0.0;  // of the last one: largest change of a nodal value over the range of the solution
-  int null_components = 0;        // parts of the mesh where the mean value was fixed to zero
+  int capturing_steps = 0;         // solves that discontinuity capturing took beyond the first
+  double capturing_change = 0.0;   // of the last one: largest change of a nodal value over the range of the solution
+  int correction_steps = 0;        // of defect correction
+  double correction_change = 0.0;  // by the last one, over the whole correction, in L2
+  int null_components = 0;         // parts of the mesh where the mean value was fixed to zero
   double compatibility_mismatch = 0.0;  // largest relative imbalance of the data there
   double minimum = 0.0;                 // of the nodal values
   double maximum = 0.0;
   SolutionBounds bounds;  // of the exact solution, where the maximum principle gives them
+
+  /// Whether the steps of defect correction converge; else the values are Galerkin's.
+  bool correction_converges() const { return correction_change <= 1.0 / 3.0; }
 
   /// By how much the nodal values exceed the bounds; 0 without bounds.
   double overshoot() const { return bounds.upper && maximum > *bounds.upper ? maximum - *bounds.upper : 0.0; }
@@ -54,6 +59,10 @@ struct Solution {
 /// Where the boundary and the coefficients leave u open up to a constant (pure Neumann data on a connected component),
 /// its mean value there is zero. Coefficients and the source are called from several threads at once, boundary data
 /// from one. The result has the same bits for any number of threads.
+///
+/// Where the problem asks for it, the values are corrected (defect_correction.h): their error becomes about that of the
+/// interpolant. They stay Galerkin's where the last step changes the correction by more than a third, and where
+/// discontinuities are captured: it would undo that.
 ///
 /// Discontinuity capturing makes the problem nonlinear: it is solved again, at most 20 times, until the solution
 /// changes by less than 1e-3 of its range; the report has what was reached.

@@ -201,6 +201,31 @@ TEST_CASE("a mesh that does not resolve the source is warned of where errors are
   CHECK(warned("sin(3*x) + 20*cos(67*x)*cos(71*y)") == 1);
 }
 
+TEST_CASE("defect correction meets a target with half the vertices, and its error is known", "[adapt][loop]") {
+  const auto last_of = [](bool corrected) {
+    Case input = poisson_case("exp(-100*((x - 0.5)^2 + (y - 0.5)^2))",
+                              R"({"l2_error": 4e-4, "max_vertices": 8000, "max_iterations": 15})");
+    input.problem.correct_defect = corrected;
+    const Summary summary = adapt(input, {}).summary;
+    CHECK(summary.targets_met);
+    return summary.iterations.back();
+  };
+  const IterationRow galerkin = last_of(false);
+  const IterationRow corrected = last_of(true);
+  CHECK(static_cast<double>(corrected.vertices) < 0.65 * static_cast<double>(galerkin.vertices));
+  CHECK(corrected.solution_error->l2 == Approx(corrected.interpolation_error->l2).epsilon(0.05));
+  CHECK(corrected.estimated_error->l2 == Approx(corrected.solution_error->l2).epsilon(0.1));
+}
+
+TEST_CASE("a correction that does not converge is warned of", "[adapt][loop]") {
+  Case input = poisson_case("sin(40*x)", R"({"vertices": 100, "max_iterations": 1})");
+  input.problem.reaction = [](const Point&, int) { return -1600.0; };
+  input.problem.correct_defect = true;
+  const std::vector<std::string> warnings = adapt(input, {}).summary.warnings;
+  CHECK(std::ranges::count_if(
+            warnings, [](const std::string& w) { return w.find("correction does not converge") < w.size(); }) == 1);
+}
+
 TEST_CASE("an interrupt ends the loop after the row under way", "[adapt][loop]") {
   std::atomic<bool> stop{false};
   LoopOptions options;

@@ -120,6 +120,8 @@ TEST_CASE("Coefficients that are zero are left empty", "[adapt][case]") {
   CHECK(c.problem.stabilize);
   CHECK(c.problem.boundary.size() == 4);
   CHECK_FALSE(with_problem(R"("stabilize": false, )" + kZeroBoundary).problem.stabilize);
+  CHECK_FALSE(c.problem.correct_defect);
+  CHECK(with_problem(R"("defect_correction": true, )" + kZeroBoundary).problem.correct_defect);
 }
 
 TEST_CASE("Coefficients per region follow the region's number", "[adapt][case]") {
@@ -180,6 +182,16 @@ TEST_CASE("A problem that cannot be read is refused with what is allowed", "[ada
              Catch::Contains("unknown key 'diffusion'"));
   CHECK_THAT(issue_text(R"({"problem": {"interpolate": "x"}})"), Catch::Contains("the key 'geometry' is missing"));
   CHECK_THAT(issue_text(case_text(R"("source": "nx", )" + kZeroBoundary)), Catch::Contains("unknown name 'nx'"));
+}
+
+TEST_CASE("Defect correction is refused with what contradicts it", "[adapt][case][errors]") {
+  const std::string corrected = R"("defect_correction": true, )";
+  CHECK(issue_text(case_text(corrected + R"("discontinuity_capturing": true, )" + kZeroBoundary)) ==
+        "/problem/defect_correction: takes back what 'discontinuity_capturing' adds; leave one of them out\n");
+  CHECK(issue_text(case_text(corrected + kZeroBoundary,
+                             R"(, "functionals": {"mean": {"integral": "*"}}, "targets": {"goal_error": 1e-3})")) ==
+        "/targets/goal_error: corrects its own values by the dual solution: leave 'defect_correction' out of the "
+        "problem\n");
 }
 
 TEST_CASE("The solver that a case names is the one the problem is solved by", "[adapt][case]") {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fem/discrete_problem.h"
+
+namespace parmesan {
+
+/// Nodal values of a Galerkin solution and what it lacks of the exact one at the vertices, I u - u_h.
+struct CorrectedValues {
+  std::vector<double> values;    // n
+  std::vector<double> residual;  // n: B(values + q, phi_i) - F_i, zero where values are free
+  int steps = 0;
+  double change = 0.0;  // what the last step changed of the correction, in L2, over the whole of it
+};
+
+/// Steps of nodal_correction.h, the gradients recovered anew for each, until the correction changes by less than 2 %,
+/// at most 8. What is left of the error is that of the interpolant where the gradients are recovered well, and at
+/// singular corners half or a third of what it was. Without effect where the steps do not converge (the equations
+/// hardly resolve the solution, a wave of a few vertices): change is then large, infinite where a step is not found.
+///
+/// values: n, of u_h. Errors: as nodal_correction. Cost: of each step, a solution of equations that are prepared and a
+/// recovery.
+CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double> values);
+
+}  // namespace parmesan

@@ -1,0 +1,120 @@
+#include "fem/nodal_correction.h"
+
+#include <algorithm>
+
+#include "fem/coefficients.h"
+#include "fem/p1.h"
+#include "fem/quadrature.h"
+#include "fem/side_integrals.h"
+#include "fem/stabilization.h"
+#include "fem/triangle_loads.h"
+
+namespace parmesan {
+
+namespace {
+
+/// B of the quadratic q against the basis functions of its triangle: with r = b.grad q + c q and w the P1 function,
+///
+///     int K grad q . grad phi_i + r phi_i + tau (r - div(K grad(w + q))) b_T.grad phi_i.
+///
+/// The discrete equations lack the diffusion of w.
+TriangleLoad form_moments(const Problem& problem, const P1Element& element, int region, const Vector& w,
+                          const Surplus& surplus) {
+  const Quadratic q{surplus};
+  Vector streamline;
+  double diffusion = 0.0;
+  if (problem.velocity && problem.stabilize) {
+    const MeanCoefficients mean = mean_coefficients(problem, element, region);
+    streamline = supg_parameter(element, mean.velocity, mean.diffusion) * mean.velocity;
+    diffusion = diffused(element, w, q, [&](const Point& x) { return diffusion_at(problem, x, region); });
+  }
+  TriangleLoad moments{};
+  for (const auto& [lambda, weight] : degree4_rule()) {
+    const Point x = element.at(lambda);
+    const Vector gradient = q.gradient(element, lambda);
+    const Vector flux = diffusion_at(problem, x, region) * gradient;
+    const double rest = dot(velocity_at(problem, x, region), gradient) + reaction_at(problem, x, region) * q.at(lambda);
+    const Vector tested = flux + (rest - diffusion) * streamline;
+    for (std::size_t i = 0; i < 3; ++i)
+      moments[i] += element.area * weight * (dot(tested, element.gradient[i]) + rest * lambda[i]);
+  }
+  return moments;
+}
+
+/// Takes int a q phi_i from the load, over the sides with a Robin condition, where q = 4 s t (1 - t).
+void subtract_robin(const DiscreteProblem& discrete, std::span<const Surplus> surplus, Eigen::VectorXd& load) {
+  const Mesh& mesh = discrete.mesh;
+  const std::vector<SegmentPoint> rule = gauss_rule(4);  // as for the matrix
+  for (const Side& side : discrete.sides) {
+    if (side.interior) continue;
+    const BoundaryCondition& condition = discrete.problem.boundary.at(side.label);
+    if (condition.kind != BoundaryKind::Robin) continue;
+    const auto triangle = static_cast<std::size_t>(side.triangle);
+    const auto& corners = mesh.triangles[triangle];
+    const auto apex = std::ranges::find_if(corners, [&side](int v) { return v != side.from && v != side.to; });
+    const double s = surplus[triangle][static_cast<std::size_t>(apex - corners.begin())];
+    const Point from = mesh.points[static_cast<std::size_t>(side.from)];
+    const Vector edge = mesh.points[static_cast<std::size_t>(side.to)] - from;
+    for (const auto& [t, weight] : rule) {
+      const double a = data_at(condition.coefficient, side, from + t * edge, "Robin coefficient");
+      const double product = weight * side.length * a * 4.0 * s * t * (1.0 - t);
+      load[side.from] -= product * (1.0 - t);
+      load[side.to] -= product * t;
+    }
+  }
+}
+
+/// F_i - B(w + q, phi_i), q the function with this surplus above the P1 function w.
+Eigen::VectorXd defect(const DiscreteProblem& discrete, std::span<const double> values,
+                       std::span<const Surplus> surplus) {
+  const Mesh& mesh = discrete.mesh;
+  const Eigen::Map<const Eigen::VectorXd> w(values.data(), static_cast<Eigen::Index>(values.size()));
+  Eigen::VectorXd load = discrete.system.load - discrete.system.matrix * w;
+  load -= sum_of_loads(mesh, [&](std::size_t t) {
+    const P1Element element = p1_element(mesh, static_cast<int>(t));
+    const Vector gradient = p1_gradient(element, at_corners(mesh, t, values));
+    return form_moments(discrete.problem, element, mesh.regions[t], gradient, surplus[t]);
+  });
+  subtract_robin(discrete, surplus, load);
+  remove_imbalance(discrete.null_space, discrete.system, load);
+  return load;
+}
+
+/// Where only the mean of u is known, w + q + e gets the mean zero.
+void remove_means(const DiscreteProblem& discrete, std::span<const double> w, std::span<const Surplus> surplus,
+                  std::vector<double>& e) {
+  if (discrete.null_space.components.empty()) return;
+  const Mesh& mesh = discrete.mesh;
+  std::vector<double> integral(e.size(), 0.0);  // of q, a third of each triangle's at each of its corners
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double third =
+        p1_element(mesh, static_cast<int>(t)).area / 9.0 * (surplus[t][0] + surplus[t][1] + surplus[t][2]);
+    for (const int v : mesh.triangles[t]) integral[static_cast<std::size_t>(v)] += third;
+  }
+  for (const std::vector<int>& component : discrete.null_space.components) {
+    double sum = 0.0;
+    double mass = 0.0;
+    for (const int v : component) {
+      const auto i = static_cast<std::size_t>(v);
+      sum += integral[i] + discrete.system.mass[v] * (w[i] + e[i]);
+      mass += discrete.system.mass[v];
+    }
+    for (const int v : component) e[static_cast<std::size_t>(v)] -= sum / mass;
+  }
+}
+
+}  // namespace
+
+std::optional<NodalCorrection> nodal_correction(DiscreteProblem& discrete, std::span<const double> values,
+                                                std::span<const Surplus> surplus) {
+  const Eigen::VectorXd load = defect(discrete, values, surplus);
+  std::optional<std::vector<double>> e = discrete.equations.approximate(load);
+  if (!e) return std::nullopt;
+  remove_means(discrete, values, surplus, *e);
+  NodalCorrection result{.values = std::move(*e), .residual = std::vector<double>(values.size())};
+  const Eigen::Map<const Eigen::VectorXd> x(result.values.data(), load.size());
+  Eigen::Map<Eigen::VectorXd>(result.residual.data(), load.size()) = discrete.system.matrix * x - load;
+  return result;
+}
+
+}  // namespace parmesan
