@@ -10,6 +10,7 @@
 
 #include "adapt/influence.h"
 #include "adapt/loop_warnings.h"
+#include "adapt/second_derivatives.h"
 #include "adapt/stopwatch.h"
 #include "mesher/errors.h"
 #include "mesher/metric/tensor_interpolant.h"

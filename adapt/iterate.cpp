@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "adapt/functional_value.h"
 #include "adapt/goal_error.h"
-#include "adapt/goal_metric.h"
 #include "adapt/nodal_values.h"
 #include "adapt/stopwatch.h"
 #include "adapt/transfer.h"
@@ -23,7 +21,6 @@
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/metric/background_mesh.h"
-#include "mesher/metric/tensor_interpolant.h"
 #include "mesher/quality.h"
 
 namespace parmesan {
@@ -146,20 +143,6 @@ std::map<std::string, double> named_fluxes(const Iterate& iterate) {
   return named;
 }
 
-std::function<SymmetricTensor(const Point&)> exact_hessian(const Expression& function) {
-  return [function](const Point& p) {
-    const Jet u = function.jet(p);
-    return SymmetricTensor{u.xx, u.xy, u.yy};
-  };
-}
-
-std::vector<SymmetricTensor> symmetric_tensors(const std::vector<Hessian>& hessians) {
-  std::vector<SymmetricTensor> tensors;
-  tensors.reserve(hessians.size());
-  for (const Hessian& h : hessians) tensors.push_back({h.xx, h.xy, h.yy});
-  return tensors;
-}
-
 }  // namespace
 
 double area(const Mesh& mesh) {
@@ -213,26 +196,6 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
     solve_on(iterate.mesh, input, previous, iterate);
   }
   if (input.goal) solve_goal(input, iterate);
-}
-
-SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) {
-  SecondDerivatives result;
-  result.mesh = input.given ? &input.given->mesh : &iterate.mesh;
-  if (input.metric.exact_hessian && input.exact) {
-    result.absolute = exact_absolute_hessians(iterate.mesh, *input.exact);
-    if (input.lower_error) result.signed_field = std::make_unique<CallableTensorField>(exact_hessian(*input.exact));
-  } else {
-    const std::vector<double>& values = input.given ? input.given->values : iterate.values;
-    const std::vector<Hessian> recovered = recover_hessians(*result.mesh, values, input.metric.recovery);
-    result.absolute = absolute_hessians(*result.mesh, recovered);
-    if (input.lower_error)
-      result.signed_field = std::make_unique<TensorInterpolant>(*result.mesh, symmetric_tensors(recovered));
-  }
-  if (input.goal) {
-    const std::vector<Hessian> dual = recover_hessians(iterate.mesh, iterate.dual, input.metric.recovery);
-    result.goal = goal_tensors(iterate.mesh, input.problem, result.absolute, absolute_hessians(iterate.mesh, dual));
-  }
-  return result;
 }
 
 IterationRow measure(const Case& input, const Iterate& iterate, int iteration,

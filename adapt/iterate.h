@@ -2,11 +2,9 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "adapt/absolute_hessian.h"
 #include "adapt/case.h"
 #include "adapt/hessian_metric.h"
 #include "adapt/interpolation_limit.h"
@@ -54,16 +52,6 @@ Iterate remesh(const Case& input, const Iterate& previous, const Mesh& backgroun
 /// the error of the solution. previous: where an iterative solver's first guess is taken from, may be null. Errors: as
 /// solve.
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous);
-
-/// Second derivatives, recovered from the discrete or the given function or those of the exact one, as the case asks.
-/// Those of a given function are recovered on its own mesh, so that none of its features is missed.
-struct SecondDerivatives {
-  const Mesh* mesh = nullptr;                 // where they are known: of the iterate, or of a given field
-  std::vector<AbsoluteHessian> absolute;      // one per vertex, for metrics
-  std::vector<AbsoluteHessian> goal;          // the tensors for the goal's error, where the case has one
-  std::unique_ptr<TensorField> signed_field;  // where the case wants the error lowered, else null
-};
-SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate);
 
 /// The function that errors are measured against, exact or given, where the case has one.
 std::optional<ExactFunction> known_function(const Case& input);

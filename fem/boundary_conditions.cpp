@@ -65,7 +65,12 @@ std::vector<Side> labelled_sides(const Mesh& mesh) {
       const auto edge = edges.find(edge_key(from, to));
       if (edge == edges.end()) continue;
       const std::size_t e = edge->second;
-      if (found[e] == 0 || mesh.edges[e][0] == from) sides[e] = make_side(mesh, e, from, to, t);
+      const int other_region = found[e] > 0 ? sides[e].region : mesh.regions[t];
+      sides[e].other_region = mesh.regions[t];
+      if (found[e] == 0 || mesh.edges[e][0] == from) {
+        sides[e] = make_side(mesh, e, from, to, t);
+        sides[e].other_region = other_region;
+      }
       sides[e].interior = ++found[e] > 1;
     }
   }

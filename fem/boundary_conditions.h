@@ -19,6 +19,7 @@ struct Side {
   int label = 0;
   int triangle = 0;       // to the left
   int region = 0;         // of the triangle
+  int other_region = 0;   // of the triangle to the right, where there is one
   Vector normal;          // of length 1
   double length = 0.0;    // L
   bool interior = false;  // triangles on both sides: an interior constraint

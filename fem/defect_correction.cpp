@@ -37,11 +37,12 @@ CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double
   constexpr int max_steps = 8;
   constexpr double tolerance = 0.02;
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  const Mesh& mesh = discrete.mesh;
+  const Mesh& parts = discrete.parts.mesh();
   CorrectedValues result;
   result.values.assign(values.begin(), values.end());
   do {
-    const std::vector<Surplus> surplus = surpluses(mesh, result.values, recover_gradients(mesh, result.values));
+    const std::vector<double> u = discrete.parts.spread(result.values);
+    const std::vector<Surplus> surplus = surpluses(parts, u, recover_gradients(parts, u));
     std::optional<NodalCorrection> step = nodal_correction(discrete, result.values, surplus);
     ++result.steps;
     result.change = unknown;

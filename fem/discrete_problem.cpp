@@ -17,6 +17,7 @@ DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_proble
     : mesh(the_mesh),
       problem(the_problem),
       sides(checked_sides(mesh, problem)),
+      parts(mesh, problem, sides),
       system(assemble_with_conditions(mesh, problem, sides, crosswind)),
       fixed(dirichlet_values(mesh, problem, sides)),
       null_space(find_null_space(mesh, system, fixed)),

@@ -5,6 +5,7 @@
 
 #include "fem/free_equations.h"
 #include "fem/problem.h"
+#include "fem/smooth_parts.h"
 
 namespace parmesan {
 
@@ -19,6 +20,7 @@ struct DiscreteProblem {
   const Mesh& mesh;
   const Problem& problem;
   std::vector<Side> sides;
+  SmoothParts parts;
   AssembledSystem system;  // its load balanced
   FixedVertices fixed;     // by Dirichlet data
   NullSpace null_space;

@@ -11,21 +11,22 @@ namespace parmesan {
 EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double> values) {
   constexpr int num_steps = 2;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const Mesh& mesh = discrete.mesh;
+  const Mesh& parts = discrete.parts.mesh();
   std::vector<double> corrected(values.begin(), values.end());
   std::vector<double> missing(values.size(), 0.0);
   EstimatedError result;
   for (int step = 0; step < num_steps; ++step) {
-    const std::vector<Vector> gradients = recover_gradients(mesh, corrected);
-    const std::vector<Surplus> surplus = surpluses(mesh, corrected, gradients);
-    if (step == 0) result.h1 = gradient_error(mesh, values, gradients);
+    const std::vector<double> u = discrete.parts.spread(corrected);
+    const std::vector<Vector> gradients = recover_gradients(parts, u);
+    const std::vector<Surplus> surplus = surpluses(parts, u, gradients);
+    if (step == 0) result.h1 = gradient_error(parts, u, gradients);
     const std::optional<NodalCorrection> correction = nodal_correction(discrete, corrected, surplus);
     if (!correction) return {.l2 = unknown, .h1 = result.h1, .linf = unknown};
     for (std::size_t v = 0; v < values.size(); ++v) {
       corrected[v] += correction->values[v];
       missing[v] = corrected[v] - values[v];
     }
-    const EstimatedError estimate = error_of(mesh, surplus, missing);
+    const EstimatedError estimate = error_of(discrete.mesh, surplus, missing);
     if (!(estimate.l2 <= result.l2)) result.l2 = estimate.l2;  // NaN stays
     if (!(estimate.linf <= result.linf)) result.linf = estimate.linf;
   }

@@ -38,9 +38,11 @@ TriangleLoad local_load(const Mesh& mesh, const Problem& problem, std::size_t t,
 
 }  // namespace
 
-Eigen::VectorXd recovered_diffusion(const Mesh& mesh, const Problem& problem, std::span<const double> values) {
+Eigen::VectorXd recovered_diffusion(const SmoothParts& parts, const Problem& problem, std::span<const double> values) {
+  const Mesh& mesh = parts.whole();
   if (!problem.velocity || !problem.stabilize) return Eigen::VectorXd::Zero(mesh.num_vertices());
-  const std::vector<Surplus> surplus = surpluses(mesh, values, recover_gradients(mesh, values));
+  const std::vector<double> u = parts.spread(values);
+  const std::vector<Surplus> surplus = surpluses(parts.mesh(), u, recover_gradients(parts.mesh(), u));
   return sum_of_loads(mesh, [&](std::size_t t) { return local_load(mesh, problem, t, values, surplus[t]); });
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "fem/problem.h"
+#include "fem/smooth_parts.h"
 
 namespace parmesan {
 
@@ -16,8 +17,8 @@ namespace parmesan {
 /// every layer along it. Diffusion along the flow is left out: tau, which depends on the Peclet number, is made for
 /// linear elements without it, and adding it makes overshoots at layers that the mesh does not resolve.
 ///
-/// values: nodal values of u. Shape: n. Zero without a velocity or SUPG. Errors: ProblemError where a coefficient is
-/// not finite. Cost: O(n).
-Eigen::VectorXd recovered_diffusion(const Mesh& mesh, const Problem& problem, std::span<const double> values);
+/// values: nodal values of u on the whole mesh. Shape: n. Zero without a velocity or SUPG. Errors: ProblemError where a
+/// coefficient is not finite. Cost: O(n).
+Eigen::VectorXd recovered_diffusion(const SmoothParts& parts, const Problem& problem, std::span<const double> values);
 
 }  // namespace parmesan

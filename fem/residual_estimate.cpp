@@ -15,6 +15,7 @@
 #include "fem/point_location.h"
 #include "fem/recovery.h"
 #include "fem/side_integrals.h"
+#include "fem/smooth_parts.h"
 
 namespace parmesan {
 namespace {
@@ -184,7 +185,8 @@ std::vector<char> holds_point_source(const Mesh& mesh, const Problem& problem) {
 }  // namespace
 
 double residual_estimate(const Mesh& mesh, const Problem& problem, std::span<const double> values) {
-  const std::vector<Vector> gradients = recover_gradients(mesh, values);
+  const SmoothParts parts(mesh, problem, labelled_sides(mesh));
+  const std::vector<Vector> gradients = recover_gradients(parts.mesh(), parts.spread(values));
   std::vector<Piece> pieces(mesh.triangles.size());
   for_each_in_parallel(pieces.size(), [&](std::size_t t) { pieces[t] = piece(mesh, values, t); });
   const SideResiduals sides = side_residuals(mesh, problem, pieces, values);
@@ -193,7 +195,7 @@ double residual_estimate(const Mesh& mesh, const Problem& problem, std::span<con
   for_each_in_parallel(pieces.size(), [&](std::size_t t) {
     if (leave_out[t]) return;
     std::array<Vector, 3> e{};
-    for (std::size_t i = 0; i < 3; ++i) e[i] = gradients[at(mesh.triangles[t][i])] - pieces[t].gradient;
+    for (std::size_t i = 0; i < 3; ++i) e[i] = gradients[at(parts.mesh().triangles[t][i])] - pieces[t].gradient;
     squares[t] = squared_error(problem, pieces[t], e, sides[t]);
   });
   return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));

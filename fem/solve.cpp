@@ -48,7 +48,7 @@ Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
   Eigen::VectorXd load = system.load;
   VertexValues found = discrete.equations.solve(load, discrete.fixed.values, guess);
   if (is_stabilized(discrete)) {
-    load += recovered_diffusion(discrete.mesh, discrete.problem, found.values);
+    load += recovered_diffusion(discrete.parts, discrete.problem, found.values);
     remove_imbalance(discrete.null_space, system, load);
     const int before = found.linear.iterations;
     found = discrete.equations.solve(load, discrete.fixed.values, found.values);

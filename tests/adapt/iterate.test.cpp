@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "adapt/second_derivatives.h"
 #include "mesher/metric/background_mesh.h"
 #include "tests/adapt/loop_cases.h"
 #include "tests/support/meshes.h"
@@ -76,21 +77,3 @@ TEST_CASE("the next mesh starts from the particles as forces left them", "[adapt
   CHECK((next_from(*second.relaxed) != next_from(second.mesh)));
 }
 
-TEST_CASE("second_derivatives keep their sign where the error is to be lowered", "[adapt][loop]") {
-  // u = x^2 - 3xy - y^2: H = [2 -3; -3 -2] everywhere; least squares recover it on any mesh.
-  Case input = support::interpolation_case("x^2 - 3*x*y - y^2", "{}");
-  input.metric.exact_hessian = GENERATE(false, true);
-  Iterate iterate;
-  iterate.mesh = support::random_square(6, 0.2, 1);
-  compute_values(input, iterate, nullptr);
-  CHECK_FALSE(second_derivatives(input, iterate).signed_field);
-  input.lower_error = true;
-  const SecondDerivatives found = second_derivatives(input, iterate);
-  REQUIRE(found.signed_field);
-  CHECK(found.absolute.size() == iterate.mesh.points.size());
-  MetricHint hint = -1;
-  const SymmetricTensor h = found.signed_field->at({0.3, 0.6}, hint);
-  CHECK(h.xx == Approx(2.0).epsilon(1e-8));
-  CHECK(h.xy == Approx(-3.0).epsilon(1e-8));
-  CHECK(h.yy == Approx(-2.0).epsilon(1e-8));
-}

@@ -96,6 +96,20 @@ inline Mesh random_square(int n, double amount, unsigned seed) {
   return mesh;
 }
 
+/// random_square(n, 0.24, seed), n even, with an interface along x = 1/2: edges of this label, region 1 to their left
+/// and 2 to their right.
+inline Mesh two_regions(int n, int label, unsigned seed) {
+  Mesh mesh = random_square(n, 0.24, seed);
+  const auto id = [n](int j) { return j * (n + 1) + n / 2; };
+  for (int j = 0; j <= n; ++j) mesh.points[static_cast<std::size_t>(id(j))].x = 0.5;
+  for (int j = 0; j < n; ++j) {
+    mesh.edges.push_back({id(j), id(j + 1)});
+    mesh.labels.push_back(label);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.regions[t] = static_cast<int>(t / 2) % n < n / 2 ? 1 : 2;
+  return mesh;
+}
+
 /// Two meshes as one, not connected; the labels of the second are shifted.
 inline Mesh joined(const Mesh& a, const Mesh& b, int label_shift) {
   Mesh mesh = a;

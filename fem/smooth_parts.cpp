@@ -1,0 +1,64 @@
+#include "fem/smooth_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace parmesan {
+
+namespace {
+
+bool differ(const Diffusion& a, const Diffusion& b) {
+  constexpr double tolerance = 0.01;
+  const auto largest = [](const Diffusion& k) { return std::max({std::abs(k.xx), std::abs(k.xy), std::abs(k.yy)}); };
+  const Diffusion jump{a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
+  return !(largest(jump) <= tolerance * std::min(largest(a), largest(b)));  // NaN too
+}
+
+bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side) {
+  if (!side.interior) return false;
+  const auto condition = problem.boundary.find(side.label);
+  if (condition != problem.boundary.end() && condition->second.kind == BoundaryKind::Dirichlet) return true;
+  if (!problem.diffusion || side.region == side.other_region) return false;
+  const Point middle =
+      midpoint(mesh.points[static_cast<std::size_t>(side.from)], mesh.points[static_cast<std::size_t>(side.to)]);
+  return differ(problem.diffusion(middle, side.region), problem.diffusion(middle, side.other_region));
+}
+
+/// The sides along which the mesh comes apart. One between two tips cannot.
+std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
+  std::vector<char> opens(sides.size(), 0);
+  std::vector<char> degree(mesh.points.size(), 0);  // of sides that open and those of the outline, 2 for many
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    opens[s] = gradient_jumps(mesh, problem, sides[s]);
+    if (!opens[s] && sides[s].interior) continue;
+    for (const int v : {sides[s].from, sides[s].to}) {
+      char& d = degree[static_cast<std::size_t>(v)];
+      if (d < 2) ++d;
+    }
+  }
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const bool is_alone =
+        degree[static_cast<std::size_t>(sides[s].from)] < 2 && degree[static_cast<std::size_t>(sides[s].to)] < 2;
+    if (is_alone) opens[s] = 0;
+  }
+  return opens;
+}
+
+}  // namespace
+
+SmoothParts::SmoothParts(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) : whole_(&mesh) {
+  const std::vector<char> opens = opening_sides(mesh, problem, sides);
+  if (std::ranges::count(opens, 0) == std::ssize(opens)) return;
+  std::vector<std::optional<int>> right_labels(sides.size());
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    if (opens[s]) right_labels[s] = sides[s].label;
+  opened_ = open_cracks(mesh, right_labels);
+}
+
+std::vector<double> SmoothParts::spread(std::span<const double> values) const {
+  std::vector<double> result(mesh().points.size());
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] = values[static_cast<std::size_t>(source(v))];
+  return result;
+}
+
+}  // namespace parmesan

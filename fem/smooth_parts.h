@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fem/boundary_conditions.h"
+#include "fem/problem.h"
+#include "mesher/cracks.h"
+
+namespace parmesan {
+
+/// The mesh taken apart where the gradient of the solution jumps: along sides between regions with different diffusion,
+/// and along interior constraints with given values. Vertices there are doubled, so that gradients and second
+/// derivatives that are recovered on the parts know nothing of the other side. Triangles keep their order.
+class SmoothParts {
+ public:
+  /// sides: labelled_sides(mesh). The mesh must live as long. Errors: what the diffusion throws. Cost: O(n) where
+  /// something jumps, else O(sides).
+  SmoothParts(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);
+
+  /// The mesh itself where nothing jumps.
+  const Mesh& mesh() const { return opened_ ? opened_->mesh : *whole_; }
+  const Mesh& whole() const { return *whole_; }
+
+  /// Which vertex of the whole mesh each one is.
+  int source(std::size_t vertex) const { return opened_ ? opened_->sources[vertex] : static_cast<int>(vertex); }
+
+  /// What a vertex of the whole mesh has, at each of its copies.
+  std::vector<double> spread(std::span<const double> values) const;
+
+ private:
+  const Mesh* whole_;
+  std::optional<OpenedMesh> opened_;
+};
+
+}  // namespace parmesan
