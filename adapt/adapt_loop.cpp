@@ -226,18 +226,21 @@ class Loop {
     return metric_from_hessians(*derivatives.mesh, derivatives.absolute, request);
   }
 
-  // It varies as slowly as the distance to the boundary, so it is computed once, on a mesh of its own.
+  // It varies as slowly as the distance to the boundary, so it is computed once, on a mesh of its own. Of what is
+  // corrected some is left: a ninth by a comparison of cases (README.md).
   std::vector<SymmetricTensor> influence_at(const Mesh& mesh) {
     constexpr std::int64_t enough_vertices = 2000;
+    constexpr double left_by_correction = 1.0 / 9.0;
     if (!influence_) {
       const auto vertices = static_cast<double>(std::min(enough_vertices, options_.max_vertices / 2));
       const Mesh coarse = uniform_iterate(case_, vertices).mesh;
       influence_.emplace(coarse, influence(coarse, case_.problem));
     }
+    const double left = case_.problem.correct_defect ? left_by_correction : 1.0;
     std::vector<SymmetricTensor> result;
     result.reserve(mesh.points.size());
     MetricHint hint;
-    for (const Point& p : mesh.points) result.push_back(influence_->at(p, hint));
+    for (const Point& p : mesh.points) result.push_back(left * influence_->at(p, hint));
     return result;
   }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "fem/estimators.h"
 #include "fem/nodal_correction.h"
 #include "fem/recovery.h"
 
@@ -34,23 +35,24 @@ double relative_change(const DiscreteProblem& discrete, std::span<const double> 
 }  // namespace
 
 CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double> values) {
-  constexpr int max_steps = 8;
-  constexpr double tolerance = 0.02;
-  constexpr double unknown = std::numeric_limits<double>::infinity();
+  constexpr int max_steps = 12;
+  constexpr double tolerance = 0.05;
   const Mesh& parts = discrete.parts.mesh();
+  const std::vector<double> zeros(values.size(), 0.0);
   CorrectedValues result;
   result.values.assign(values.begin(), values.end());
-  do {
+  for (bool done = false; !done && result.steps < max_steps;) {
     const std::vector<double> u = discrete.parts.spread(result.values);
     const std::vector<Surplus> surplus = surpluses(parts, u, recover_gradients(parts, u));
     std::optional<NodalCorrection> step = nodal_correction(discrete, result.values, surplus);
     ++result.steps;
-    result.change = unknown;
+    result.change = std::numeric_limits<double>::infinity();
     if (!step) break;
     for (std::size_t v = 0; v < values.size(); ++v) result.values[v] += step->values[v];
     result.residual = std::move(step->residual);
     result.change = relative_change(discrete, step->values, values, result.values);
-  } while (result.change > tolerance && result.steps < max_steps);
+    done = l2_norm(discrete, step->values) <= tolerance * error_of(discrete.mesh, surplus, zeros).l2;
+  }
   return result;
 }
 

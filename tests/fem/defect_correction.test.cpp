@@ -56,7 +56,7 @@ TEST_CASE("corrected values are nearer to the solution at the vertices, and the 
   CHECK(largest_error(mesh, better.values, Wave::value) < 0.25 * largest_error(mesh, galerkin.values, Wave::value));
   CHECK(error_norms(mesh, better.values, Wave::exact()).l2 == Approx(interpolation).epsilon(0.02));
   CHECK(better.report.correction_steps > 1);
-  CHECK(better.report.correction_change < 0.02);
+  CHECK(better.report.correction_change < 0.1);
   CHECK(galerkin.report.correction_steps == 0);
 }
 
