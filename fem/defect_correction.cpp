@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "fem/anderson.h"
 #include "fem/estimators.h"
 #include "fem/nodal_correction.h"
 #include "fem/recovery.h"
@@ -14,22 +15,21 @@ namespace parmesan {
 
 namespace {
 
-double l2_norm(const DiscreteProblem& discrete, std::span<const double> values) {
-  double squares = 0.0;
-  for (std::size_t v = 0; v < values.size(); ++v)
-    squares += discrete.system.mass[static_cast<Eigen::Index>(v)] * values[v] * values[v];
-  return std::sqrt(squares);
+Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-/// The last step over all of them; at random where the correction is as small as the round-off of the solution.
-double relative_change(const DiscreteProblem& discrete, std::span<const double> step, std::span<const double> before,
-                       std::span<const double> corrected) {
+double l2_norm(const Eigen::VectorXd& mass, const Eigen::VectorXd& values) {
+  return std::sqrt(mass.dot(values.cwiseAbs2()));
+}
+
+/// The last step over all of them; that of a correction as small as the round-off of the solution is random.
+double relative_change(const Eigen::VectorXd& mass, const Eigen::VectorXd& step, const Eigen::VectorXd& before,
+                       const Eigen::VectorXd& corrected) {
   constexpr double roundoff = 1e-10;
-  const double size = l2_norm(discrete, step);
+  const double size = l2_norm(mass, step);
   if (size == 0.0) return 0.0;
-  std::vector<double> whole(corrected.begin(), corrected.end());
-  for (std::size_t v = 0; v < whole.size(); ++v) whole[v] -= before[v];
-  return size / std::max(l2_norm(discrete, whole), roundoff * l2_norm(discrete, corrected));
+  return size / std::max(l2_norm(mass, corrected - before), roundoff * l2_norm(mass, corrected));
 }
 
 }  // namespace
@@ -37,21 +37,31 @@ double relative_change(const DiscreteProblem& discrete, std::span<const double> 
 CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double> values) {
   constexpr int max_steps = 12;
   constexpr double tolerance = 0.05;
+  constexpr std::size_t depth = 5;  // of the acceleration
   const Mesh& parts = discrete.parts.mesh();
+  const Eigen::VectorXd& mass = discrete.system.mass;
   const std::vector<double> zeros(values.size(), 0.0);
+  Anderson acceleration(mass, depth);
   CorrectedValues result;
   result.values.assign(values.begin(), values.end());
-  for (bool done = false; !done && result.steps < max_steps;) {
+  Eigen::Map<Eigen::VectorXd> w(result.values.data(), mass.size());
+  for (bool done = false; !done;) {
     const std::vector<double> u = discrete.parts.spread(result.values);
     const std::vector<Surplus> surplus = surpluses(parts, u, recover_gradients(parts, u));
     std::optional<NodalCorrection> step = nodal_correction(discrete, result.values, surplus);
     ++result.steps;
     result.change = std::numeric_limits<double>::infinity();
     if (!step) break;
-    for (std::size_t v = 0; v < values.size(); ++v) result.values[v] += step->values[v];
+    const Eigen::VectorXd f = vector_of(step->values);
     result.residual = std::move(step->residual);
-    result.change = relative_change(discrete, step->values, values, result.values);
-    done = l2_norm(discrete, step->values) <= tolerance * error_of(discrete.mesh, surplus, zeros).l2;
+    result.change = relative_change(mass, f, vector_of(values), w + f);
+    const double interpolation = error_of(discrete.mesh, surplus, zeros).l2;
+    done = result.steps == max_steps || l2_norm(mass, f) <= tolerance * interpolation;
+    if (done) {
+      w += f;
+    } else {
+      w = acceleration.next(w, f);
+    }
   }
   return result;
 }
