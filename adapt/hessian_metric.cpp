@@ -197,7 +197,7 @@ double sign_factor(double norm) {
 double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessians, const MetricRequest& request) {
   constexpr double largest_share = 0.02;
   constexpr double enough_vertices = 100.0;  // to see by: finer meshes need no more
-  constexpr double smallest = 1e-13;
+  constexpr double smallest = 1e-12;         // for aspects of 1e6, the largest there are
   const std::vector<double> areas = vertex_areas(mesh);
   const double degree = density_degree(request);
   const double share = std::min(largest_share, complexity_for_vertices(enough_vertices) / request.complexity);

@@ -45,7 +45,7 @@ double sign_factor(double norm);
 
 /// The smallest eigenvalue |H| is given: where det H vanishes, det^(-1/(2p+2)) would be infinite and
 /// a mesh blind. Chosen so that the whole domain at the floor would take 2 % of the complexity, or 100 vertices if
-/// that is less, but at least 1e-9 of the largest eigenvalue, and 1 where H vanishes identically.
+/// that is less, but at least 1e-12 of the largest eigenvalue, and 1 where H vanishes identically.
 double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessians, const MetricRequest& request);
 
 /// |H| with the floor, scaled for the norm and the sign, before the factor D that sets the complexity.
