@@ -29,7 +29,7 @@ std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const 
   std::vector<char> opens(sides.size(), 0);
   std::vector<char> degree(mesh.points.size(), 0);  // of sides that open and those of the outline, 2 for many
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    opens[s] = gradient_jumps(mesh, problem, sides[s]);
+    opens[s] = gradient_jumps(mesh, problem, sides[s]) ? 1 : 0;
     if (!opens[s] && sides[s].interior) continue;
     for (const int v : {sides[s].from, sides[s].to}) {
       char& d = degree[static_cast<std::size_t>(v)];
