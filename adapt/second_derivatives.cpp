@@ -31,7 +31,9 @@ std::vector<Hessian> hessians_on(const SmoothParts& parts, std::span<const doubl
 /// The means at the vertices of the whole mesh of what the copies have, weighted by the area around each.
 class PartMeans {
  public:
-  explicit PartMeans(const SmoothParts& parts) : parts_(parts), share_(vertex_areas(parts.mesh())) {
+  explicit PartMeans(const SmoothParts& parts) : parts_(parts), share_(parts.mesh().points.size(), 1.0) {
+    if (&parts.mesh() == &parts.whole()) return;
+    share_ = vertex_areas(parts.mesh());
     const std::vector<double> whole = vertex_areas(parts.whole());
     for (std::size_t v = 0; v < share_.size(); ++v) share_[v] /= whole[source(v)];
   }

@@ -76,4 +76,3 @@ TEST_CASE("the next mesh starts from the particles as forces left them", "[adapt
   CHECK((remesh(input, second, second.mesh, metric, nullptr).mesh.points == next_from(*second.relaxed)));
   CHECK((next_from(*second.relaxed) != next_from(second.mesh)));
 }
-
