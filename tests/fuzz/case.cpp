@@ -5,14 +5,11 @@
 
 #include "adapt/case.h"
 #include "mesher/errors.h"
+#include "tests/fuzz/check.h"
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-void require(bool holds) {
-  if (!holds) __builtin_trap();
-}
 
 /// Whether a shape is asked for with so many points that the fuzzer would wait for them.
 bool asks_for_much(const std::string& text) {
@@ -37,10 +34,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (asks_for_much(text)) return 0;
   try {
     const std::string resolved = parmesan::parse_case(text, "fuzz.json").resolved.dump();
-    require(parmesan::parse_case(resolved, "fuzz.json").resolved.dump() == resolved);
+    CHECK(parmesan::parse_case(resolved, "fuzz.json").resolved.dump() == resolved);
   } catch (const parmesan::CaseError& error) {
-    require(!error.issues().empty());
-    for (const parmesan::CaseIssue& issue : error.issues()) require(issue.line >= 1 && issue.column >= 1);
+    CHECK(!error.issues().empty());
+    for (const parmesan::CaseIssue& issue : error.issues()) CHECK(issue.line >= 1 && issue.column >= 1);
   } catch (const parmesan::InputError&) {
   }
   return 0;

@@ -4,6 +4,7 @@
 
 #include "adapt/checkpoint.h"
 #include "mesher/errors.h"
+#include "tests/fuzz/check.h"
 
 namespace {
 
@@ -34,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const parmesan::Checkpoint checkpoint = parmesan::decode_checkpoint(with_checksum(start + state));
     const std::string bytes = parmesan::encode_checkpoint(checkpoint.state, checkpoint.case_hash);
     const parmesan::Checkpoint again = parmesan::decode_checkpoint(bytes);
-    if (parmesan::encode_checkpoint(again.state, again.case_hash) != bytes) __builtin_trap();
+    CHECK(parmesan::encode_checkpoint(again.state, again.case_hash) == bytes);
   } catch (const parmesan::InputError&) {
   }
   return 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adapt/expression.h"
+#include "tests/fuzz/check.h"
 
 namespace {
 
@@ -12,20 +13,16 @@ using parmesan::Expression;
 using parmesan::Jet;
 using parmesan::Point;
 
-void require(bool holds) {
-  if (!holds) __builtin_trap();
-}
-
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 void check_at(const Expression& expression, const Point& p) {
   const std::vector<double> extra{0.6, -0.8, 2.5};
   const Jet jet = expression.jet(p, extra);
-  require(same(jet.value, expression.value(p, extra)));
+  CHECK(same(jet.value, expression.value(p, extra)));
   if (expression.is_constant()) {
-    require(same(jet.value, expression.value(Point{}, extra)));
+    CHECK(same(jet.value, expression.value(Point{}, extra)));
     for (const double derivative : {jet.x, jet.y, jet.xx, jet.xy, jet.yy})
-      require(!(derivative != 0.0) || std::isnan(derivative));
+      CHECK(!(derivative != 0.0) || std::isnan(derivative));
   }
 }
 
@@ -36,11 +33,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     const Expression expression = Expression::parse(text, {{"a", 0.5}, {"b", -2.0}}, {"nx", "ny", "exact"});
-    require(expression.text() == text);
+    CHECK(expression.text() == text);
     for (const Point& p : {Point{0.0, 0.0}, Point{0.3, -0.7}, Point{-1.0, 1.0}, Point{1e200, 1e-200}})
       check_at(expression, p);
   } catch (const parmesan::ExpressionError& error) {
-    require(error.position() <= size);
+    CHECK(error.position() <= size);
   }
   return 0;
 }

@@ -4,18 +4,13 @@
 
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
+#include "tests/fuzz/check.h"
 
 /// Any bytes are a Medit mesh, a metric, or a FileError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const parmesan::Mesh mesh = parmesan::parse_medit(text, "fuzz.mesh");
-    if (mesh.labels.size() != mesh.edges.size() || mesh.regions.size() != mesh.triangles.size()) __builtin_trap();
-    for (const auto& triangle : mesh.triangles) {
-      for (const int vertex : triangle) {
-        if (vertex < 0 || vertex >= mesh.num_vertices()) __builtin_trap();
-      }
-    }
+    parmesan::fuzz::check_indices(parmesan::parse_medit(text, "fuzz.mesh"));
   } catch (const parmesan::FileError&) {
   }
   try {

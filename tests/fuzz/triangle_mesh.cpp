@@ -4,6 +4,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/io/triangle_files.h"
+#include "tests/fuzz/check.h"
 
 /// Any bytes, cut in three at the first two NULs, are a .node, an .ele and an .edge file, or a FileError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,13 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view node = next();
   const std::string_view ele = next();
   try {
-    const parmesan::Mesh mesh = parmesan::parse_triangle_mesh(node, ele, rest, "fuzz");
-    if (mesh.labels.size() != mesh.edges.size() || mesh.regions.size() != mesh.triangles.size()) __builtin_trap();
-    for (const auto& triangle : mesh.triangles) {
-      for (const int vertex : triangle) {
-        if (vertex < 0 || vertex >= mesh.num_vertices()) __builtin_trap();
-      }
-    }
+    parmesan::fuzz::check_indices(parmesan::parse_triangle_mesh(node, ele, rest, "fuzz"));
   } catch (const parmesan::FileError&) {
   }
   return 0;
