@@ -50,7 +50,8 @@ std::optional<std::vector<double>> FreeEquations::approximate(const Eigen::Vecto
 void FreeEquations::set(const Eigen::VectorXd& x, std::vector<double>& values) const {
   for (std::size_t i = 0; i < reduced_.vertices.size(); ++i)
     values[static_cast<std::size_t>(reduced_.vertices[i])] = x[static_cast<Eigen::Index>(i)];
-  remove_means(null_space_, system_, values);
+  const Eigen::Map<const Eigen::VectorXd> u(values.data(), system_.mass.size());
+  remove_means(null_space_, system_, system_.mass.cwiseProduct(u), values);
 }
 
 }  // namespace parmesan

@@ -81,26 +81,17 @@ Eigen::VectorXd defect(const DiscreteProblem& discrete, std::span<const double> 
 }
 
 /// Where only the mean of u is known, w + q + e gets the mean zero.
-void remove_means(const DiscreteProblem& discrete, std::span<const double> w, std::span<const Surplus> surplus,
-                  std::vector<double>& e) {
+void remove_means(const DiscreteProblem& discrete, const Eigen::Map<const Eigen::VectorXd>& w,
+                  std::span<const Surplus> surplus, std::vector<double>& e) {
   if (discrete.null_space.components.empty()) return;
   const Mesh& mesh = discrete.mesh;
-  std::vector<double> integral(e.size(), 0.0);  // of q, a third of each triangle's at each of its corners
+  Eigen::VectorXd integrals = discrete.system.mass.cwiseProduct(w + Eigen::Map<Eigen::VectorXd>(e.data(), w.size()));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const double third =
         p1_element(mesh, static_cast<int>(t)).area / 9.0 * (surplus[t][0] + surplus[t][1] + surplus[t][2]);
-    for (const int v : mesh.triangles[t]) integral[static_cast<std::size_t>(v)] += third;
+    for (const int v : mesh.triangles[t]) integrals[v] += third;  // of q
   }
-  for (const std::vector<int>& component : discrete.null_space.components) {
-    double sum = 0.0;
-    double mass = 0.0;
-    for (const int v : component) {
-      const auto i = static_cast<std::size_t>(v);
-      sum += integral[i] + discrete.system.mass[v] * (w[i] + e[i]);
-      mass += discrete.system.mass[v];
-    }
-    for (const int v : component) e[static_cast<std::size_t>(v)] -= sum / mass;
-  }
+  remove_means(discrete.null_space, discrete.system, integrals, e);
 }
 
 }  // namespace
@@ -110,7 +101,7 @@ std::optional<NodalCorrection> nodal_correction(DiscreteProblem& discrete, std::
   const Eigen::VectorXd load = defect(discrete, values, surplus);
   std::optional<std::vector<double>> e = discrete.equations.approximate(load);
   if (!e) return std::nullopt;
-  remove_means(discrete, values, surplus, *e);
+  remove_means(discrete, {values.data(), load.size()}, surplus, *e);
   NodalCorrection result{.values = std::move(*e), .residual = std::vector<double>(values.size())};
   const Eigen::Map<const Eigen::VectorXd> x(result.values.data(), load.size());
   Eigen::Map<Eigen::VectorXd>(result.residual.data(), load.size()) = discrete.system.matrix * x - load;

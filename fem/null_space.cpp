@@ -141,12 +141,13 @@ void remove_imbalance(const NullSpace& null_space, const AssembledSystem& system
   }
 }
 
-void remove_means(const NullSpace& null_space, const AssembledSystem& system, std::vector<double>& values) {
+void remove_means(const NullSpace& null_space, const AssembledSystem& system, const Eigen::VectorXd& integrals,
+                  std::vector<double>& values) {
   for (const std::vector<int>& component : null_space.components) {
     double integral = 0.0;
     double mass = 0.0;
     for (const int v : component) {
-      integral += system.mass[v] * values[static_cast<std::size_t>(v)];
+      integral += integrals[v];
       mass += system.mass[v];
     }
     for (const int v : component) values[static_cast<std::size_t>(v)] -= integral / mass;

@@ -34,7 +34,8 @@ double balance_load(const Mesh& mesh, const NullSpace& null_space, AssembledSyst
 /// Takes a constant source from the load on each component, so that w.F = 0 there.
 void remove_imbalance(const NullSpace& null_space, const AssembledSystem& system, Eigen::VectorXd& load);
 
-/// Subtracts the mean value from u on each component.
-void remove_means(const NullSpace& null_space, const AssembledSystem& system, std::vector<double>& values);
+/// Subtracts a function's mean value from u on each component. integrals: those of the function, vertex by vertex.
+void remove_means(const NullSpace& null_space, const AssembledSystem& system, const Eigen::VectorXd& integrals,
+                  std::vector<double>& values);
 
 }  // namespace parmesan
