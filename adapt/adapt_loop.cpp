@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "adapt/continuation.h"
 #include "adapt/influence.h"
 #include "adapt/loop_warnings.h"
 #include "adapt/second_derivatives.h"
@@ -59,7 +61,7 @@ class Loop {
       add_row();
     }
     SizeDecision decision = decide();
-    while (!decision.stop && advance(decision.asked)) {
+    while (!decision.stop && advance(decision.asked, state_.summary.iterations.back().seconds)) {
       add_row();
       decision = decide();
     }
@@ -102,7 +104,31 @@ class Loop {
     if (goal_.vertices) asked = std::min(asked, *goal_.vertices);
     state_.asked = asked;
     state_.last = uniform_iterate(case_, asked);
+    if (case_.continuation > 1.0) {
+      continue_in_diffusion();
+    } else {
+      compute_values(case_, state_.last, nullptr);
+    }
+  }
+
+  // From each problem's solution a mesh for the next one; the last is the case's own.
+  void continue_in_diffusion() {
+    const Case own = case_;
+    const std::vector<double> factors = continuation_factors(own.continuation);
+    case_ = with_larger_diffusion(own, factors.front());
     compute_values(case_, state_.last, nullptr);
+    StageSeconds seconds;
+    const auto next = [&](Case problem) {
+      case_ = std::move(problem);
+      influence_.reset();
+      seconds += std::exchange(state_.last.seconds, {});
+      return advance(state_.asked, seconds);
+    };
+    for (const double factor : factors | std::views::drop(1))
+      if (!next(with_larger_diffusion(own, factor))) break;
+    if (!next(own)) compute_values(case_, state_.last, nullptr);
+    state_.last.seconds += seconds;
+    state_.unchanged = state_.limits_bind = false;
   }
 
   // Measures the last iterate and reports it.
@@ -113,7 +139,7 @@ class Loop {
     for (std::string& warning : last.report.warnings) warn_once(std::move(warning));
     last.report.warnings.clear();
     const double excess = excess_of(rows.back());
-    const bool adapted = rows.size() > 1 || options_.start;
+    const bool adapted = rows.size() > 1 || options_.start || case_.continuation > 1.0;
     state_.history.push_back({state_.asked, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
     remember_if_met();
     const Stopwatch now;
@@ -178,8 +204,9 @@ class Loop {
     return case_.targets.max_vertices && iterate.mesh.num_vertices() > *case_.targets.max_vertices;
   }
 
-  // Recovers, builds the metric for this many vertices, remeshes and solves. False: interrupted.
-  bool advance(double asked) {
+  // Recovers, builds the metric for this many vertices, remeshes and solves. seconds: of the mesh before, get those for
+  // the metric added. False: interrupted.
+  bool advance(double asked, StageSeconds& seconds) {
     const Stopwatch recover;
     MetricRequest request;
     request.options = case_.metric;
@@ -188,8 +215,7 @@ class Loop {
     request.complexity = complexity_for_vertices(asked) * calibration();
     const SecondDerivatives derivatives = second_derivatives(case_, state_.last);
     const HessianMetric metric = next_metric(derivatives, request);
-    StageSeconds& seconds = state_.summary.iterations.back().seconds;
-    seconds.recover = recover.seconds();
+    seconds.recover += recover.seconds();
     seconds.cpu += recover.cpu_seconds();
     if (interrupted()) return false;
     Iterate next = remesh(case_, state_.last, *derivatives.mesh, metric, derivatives.signed_field.get());

@@ -84,6 +84,7 @@ struct Case {
   GenerateOptions mesher;
   bool lower_error = false;  // meshes are changed to lower the L2 error itself ("mesher": {"lower_error": ...})
   std::int64_t initial_vertices = 400;  // size of the uniform start mesh ("initial": {"vertices": ...})
+  double continuation = 1.0;            // factor on the diffusion to begin with ("initial": {"continuation": ...})
   OutputOptions output;
   std::vector<Expectation> expect;
 };

@@ -226,6 +226,14 @@ void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   }
 }
 
+void read_initial(CaseReading& reading, const Json& section, Case& result) {
+  result.initial_vertices = *optional_count(section, "vertices");
+  result.continuation = section["continuation"].get<double>();
+  if (result.interpolation && result.continuation > 1.0)
+    reading.issues.add("/initial/continuation",
+                       "is for the diffusion of a problem, and an interpolated function has none");
+}
+
 /// Limits on the members of "functionals" or "fluxes", which the prefix names, with a dot.
 void read_group(const std::string& prefix, const Json& section, Case& result) {
   for (const auto& [name, value] : section.items()) {
@@ -265,7 +273,7 @@ void read_option_sections(CaseReading& reading, Case& result) {
   if (clean("metric")) read_metric(reading, root["metric"], result);
   if (clean("targets")) read_targets(reading, root["targets"], result);
   if (clean("mesher")) read_mesher(reading, root["mesher"], result);
-  if (clean("initial")) result.initial_vertices = *optional_count(root["initial"], "vertices");
+  if (clean("initial")) read_initial(reading, root["initial"], result);
   if (clean("output")) result.output.formats = root["output"]["formats"].get<std::vector<std::string>>();
   if (clean("expect")) read_expectations(reading, root["expect"], result);
 }

@@ -395,8 +395,12 @@ constexpr const char* kSchema = R"schema({
     },
     "initial": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
-      "properties": { "vertices": { "type": "integer", "minimum": 3, "default": 400,
-                                    "description": "size of the uniform mesh to start from" } }
+      "properties": {
+        "vertices": { "type": "integer", "minimum": 3, "default": 400,
+                      "description": "size of the uniform mesh to start from" },
+        "continuation": { "$ref": "#/$defs/constant", "minimum": 1, "maximum": 1e12, "default": 1,
+                          "description": "the first problems have the diffusion this many times as large, then a quarter of it, and so on down to the case's own" }
+      }
     },
     "output": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },

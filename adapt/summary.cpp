@@ -171,6 +171,15 @@ std::string cell(const Json& row, const char* pointer) {
 
 }  // namespace
 
+StageSeconds& StageSeconds::operator+=(const StageSeconds& other) {
+  mesh += other.mesh;
+  solve += other.solve;
+  recover += other.recover;
+  measure += other.measure;
+  cpu += other.cpu;
+  return *this;
+}
+
 std::string_view to_string(StopReason reason) {
   switch (reason) {
     case StopReason::ErrorTarget:

@@ -63,6 +63,7 @@ struct StageSeconds {
   double measure = 0.0;  // error norms and metric statistics
   double cpu = 0.0;      // processor time of mesh, solve and recover, all threads
   double total() const { return mesh + solve + recover + measure; }
+  StageSeconds& operator+=(const StageSeconds& other);
 };
 
 /// The functional that meshes are made for.

@@ -124,6 +124,9 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
   CHECK(issues_with(R"(, "mesher": {"lower_error": true}, "targets": {"h1_error": 1})") ==
         "/mesher/lower_error: lowers the L2 error only: of no use to the one target 'h1_error'\n");
   CHECK(issues_with(R"(, "mesher": {"lower_error": false}, "metric": {"norm": 4})").empty());
+  CHECK(issues_with(R"(, "initial": {"continuation": 0.5})") ==
+        "/initial/continuation: must be a number or an expression of the parameters of at least 1 and at most 1e+12, "
+        "not 0.5\n");
   CHECK(issues_with(R"(, "mesher": {"seed": 9007199254740993})") ==
         "/mesher/seed: whole numbers beyond 2^53 = 9007199254740992 cannot be kept exactly\n");
   CHECK_THAT(issues_with(R"(, "initial": {"vertices": 1e300})"), Catch::Contains("2^53"));

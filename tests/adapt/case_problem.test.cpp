@@ -180,6 +180,8 @@ TEST_CASE("A problem that cannot be read is refused with what is allowed", "[ada
   CHECK_THAT(issue_text(case_text(R"("velocity": [1], )" + kZeroBoundary)), Catch::Contains("a list [a, b]"));
   CHECK_THAT(issue_text(case_text(R"("interpolate": "x", "diffusion": 1)")),
              Catch::Contains("unknown key 'diffusion'"));
+  CHECK_THAT(issue_text(case_text(R"("interpolate": "x")", R"(, "initial": {"continuation": 10})")),
+             Catch::Contains("/initial/continuation: is for the diffusion of a problem"));
   CHECK_THAT(issue_text(R"({"problem": {"interpolate": "x"}})"), Catch::Contains("the key 'geometry' is missing"));
   CHECK_THAT(issue_text(case_text(R"("source": "nx", )" + kZeroBoundary)), Catch::Contains("unknown name 'nx'"));
 }

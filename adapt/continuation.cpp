@@ -1,0 +1,23 @@
+#include "adapt/continuation.h"
+
+namespace parmesan {
+
+std::vector<double> continuation_factors(double largest) {
+  constexpr double step = 4.0;  // layers as thick as the root of the diffusion become half as thick
+  std::vector<double> factors;
+  for (double factor = largest; factor > 1.0; factor /= step) factors.push_back(factor);
+  return factors;
+}
+
+Case with_larger_diffusion(const Case& input, double factor) {
+  Case result = input;
+  result.problem.diffusion = [factor, own = input.problem.diffusion](const Point& p, int region) {
+    const Diffusion k = own(p, region);
+    return Diffusion{factor * k.xx, factor * k.xy, factor * k.yy};
+  };
+  result.exact.reset();
+  result.metric.exact_hessian = false;
+  return result;
+}
+
+}  // namespace parmesan
