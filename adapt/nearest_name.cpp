@@ -15,6 +15,15 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+/// The one name that begins with at least three letters as written; empty when none or several do.
+std::string completed(std::string_view written, std::span<const std::string> allowed) {
+  constexpr std::size_t fewest = 3;
+  if (written.size() < fewest) return {};
+  const auto begins = [&written](const std::string& name) { return lower(name).starts_with(lower(written)); };
+  const auto found = std::ranges::find_if(allowed, begins);
+  return std::ranges::count_if(allowed, begins) == 1 ? *found : std::string();
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -43,7 +52,7 @@ std::string nearest_name(std::string_view written, std::span<const std::string> 
     smallest = distance;
     best = name;
   }
-  return best;
+  return best.empty() ? completed(written, allowed) : best;
 }
 
 std::string suggestion(std::string_view written, std::span<const std::string> allowed) {

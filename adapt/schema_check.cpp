@@ -1,6 +1,7 @@
 #include "adapt/schema_check.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 
@@ -75,6 +76,20 @@ const Json& SchemaCheck::alternative(const Json& value, const Json& schema) cons
   return *best;
 }
 
+/// The suggestion of a name, where an anyOf allows names and the text is a slip of one: a single word that is none of
+/// them, nor that of a parameter.
+std::string SchemaCheck::name_meant(const Json& value, const Json& schema) const {
+  if (!value.is_string() || parameters_.contains(value.get<std::string>())) return {};
+  const std::string text = value.get<std::string>();
+  if (!std::ranges::all_of(text, [](unsigned char c) { return std::isalpha(c) || c == '-'; })) return {};
+  for (const Json& branch : schema["anyOf"]) {
+    if (!branch.contains("enum")) continue;
+    const std::vector<std::string> names = strings(branch["enum"]);
+    return std::ranges::find(names, text) == names.end() ? suggestion(text, names) : std::string();
+  }
+  return {};
+}
+
 std::string SchemaCheck::allowed(const Json& schema) const {
   const Json& target = resolve(schema);
   if (target.contains("title")) return target["title"].get<std::string>() + range_of(schema);
@@ -92,8 +107,9 @@ void SchemaCheck::check(Json& value, const Json& schema, const std::string& poin
   if (schema.contains("$ref")) return check_reference(value, schema, pointer);
   if (schema.contains("anyOf")) {
     const Json& branch = alternative(value, schema);
-    if (!branch.is_null()) return check(value, branch, pointer);
-    return issues_.add(pointer, "must be " + allowed(schema) + ", not " + kind_of(value));
+    const std::string hint = name_meant(value, schema);
+    if (!branch.is_null() && hint.empty()) return check(value, branch, pointer);
+    return issues_.add(pointer, "must be " + allowed(schema) + ", not " + kind_of(value) + hint);
   }
   if (!type_fits(value, schema)) {
     const bool slip = value.is_string() && schema.contains("enum");

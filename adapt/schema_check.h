@@ -33,6 +33,7 @@ class SchemaCheck {
   const Json& resolve(const Json& schema) const;
   const Json& alternative(const Json& value, const Json& schema) const;
   bool type_fits(const Json& value, const Json& schema) const;
+  std::string name_meant(const Json& value, const Json& schema) const;
   std::string allowed(const Json& schema) const;
   void check_reference(Json& value, const Json& schema, const std::string& pointer);
   void check_number(const Json& value, const Json& schema, const std::string& pointer);

@@ -124,6 +124,11 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
   CHECK(issues_with(R"(, "mesher": {"lower_error": true}, "targets": {"h1_error": 1})") ==
         "/mesher/lower_error: lowers the L2 error only: of no use to the one target 'h1_error'\n");
   CHECK(issues_with(R"(, "mesher": {"lower_error": false}, "metric": {"norm": 4})").empty());
+  CHECK(issues_with(R"(, "metric": {"max_aspect": "auto"})") ==
+        "/metric/max_aspect: must be one of 'automatic', or a number or an expression of the parameters of at least 1, "
+        "not "
+        "the text 'auto'; did you mean 'automatic'?\n");
+  CHECK(issues_with(R"(, "parameters": {"auto": 5}, "metric": {"max_aspect": "auto"})").empty());
   CHECK(issues_with(R"(, "initial": {"continuation": 0.5})") ==
         "/initial/continuation: must be a number or an expression of the parameters of at least 1 and at most 1e+12, "
         "not 0.5\n");
@@ -131,7 +136,7 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
         "/mesher/seed: whole numbers beyond 2^53 = 9007199254740992 cannot be kept exactly\n");
   CHECK_THAT(issues_with(R"(, "initial": {"vertices": 1e300})"), Catch::Contains("2^53"));
   CHECK(issues_with(R"(, "metric": {"norm": "if"})") ==
-        "/metric/norm: must be a number of at least 1, or one of 'inf', not the text 'if'\n");
+        "/metric/norm: must be a number of at least 1, or one of 'inf', not the text 'if'; did you mean 'inf'?\n");
   CHECK(issues_with(R"(, "metric": {"norm": 0.5})") == "/metric/norm: must be a number of at least 1, not 0.5\n");
   CHECK(issues_with(R"(, "metric": [])") == "/metric: must be an object { }, not a list of 0\n");
   CHECK(issues_with(R"(, "title": null)") == "/title: must be a text, not null\n");

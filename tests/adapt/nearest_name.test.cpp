@@ -30,6 +30,9 @@ TEST_CASE("nearest_name finds slips and leaves other words alone", "[adapt][name
   CHECK(nearest_name("l2_eror", names) == "l2_error");
   CHECK(nearest_name("L2_ERROR", names) == "l2_error");
   CHECK(nearest_name("vertexes", names) == "vertices");
+  CHECK(nearest_name("max", names) == "max_vertices");
+  CHECK(nearest_name("L2", names).empty());
+  CHECK(nearest_name("ver", std::vector<std::string>{"vertices", "vertical"}).empty());
   CHECK(nearest_name("banana", names).empty());
   CHECK(nearest_name(std::string(1000000, 'v'), names).empty());
   CHECK(suggestion("banana", names).empty());

@@ -316,6 +316,16 @@ TEST_CASE("mesh --repair makes the planar subdivision of crossing segments, and 
   CHECK(quality_of({folder / "a.mesh"}).at("vertices").get<int>() > 20);
 }
 
+TEST_CASE("mesh warns once of what repair and generation both find", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("near.poly",
+                                         "6 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 0.5\n6 0.5000000001 0.5\n"
+                                         "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+  const std::string err = run_program({"mesh", input, "--repair", "--size", "0.2", "-o", folder / "a.mesh"}).err;
+  CHECK_THAT(err, Catch::Contains("kept points"));
+  CHECK(err.find("kept points") == err.rfind("kept points"));
+}
+
 TEST_CASE("mesh --freeze keeps the triangles of a region, and marks them in Medit files", "[system][mesh]") {
   const TemporaryFolder folder;
   // The unit square with a cross of triangles; region 2 is the upper one.

@@ -23,7 +23,8 @@ enum class ExitCode {
 /// To be called in a catch block only.
 ExitCode report_current_exception();
 
-/// Print "parmesan: error: ..." or "parmesan: warning: ..." to standard error, control characters escaped.
+/// Print "parmesan: error: ..." or "parmesan: warning: ..." to standard error, control characters escaped; a warning
+/// once, however many stages find its reason.
 void print_error(const std::string& message);
 void print_warning(const std::string& message);
 
