@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +52,7 @@ class Loop {
   }
 
   LoopResult run() {
-    if (options_.resume) {
+    if (options_.resume && !was_interrupted_at_start(*options_.resume)) {
       state_ = *options_.resume;
       state_.summary.threads = options_.threads;
     } else {
@@ -80,6 +79,11 @@ class Loop {
   }
 
  private:
+  // In the middle of a continuation, of which nothing is kept.
+  bool was_interrupted_at_start(const LoopState& state) const {
+    return case_.continuation > 1.0 && state.history.size() == 1 && !state.history.front().adapted;
+  }
+
   void start() {
     Summary& summary = state_.summary;
     summary.case_name = case_.name;
@@ -111,24 +115,35 @@ class Loop {
     }
   }
 
-  // From each problem's solution a mesh for the next one; the last is the case's own.
+  // From each problem's solution a mesh for the next one; the last is the case's own, which is solved in any case.
   void continue_in_diffusion() {
     const Case own = case_;
-    const std::vector<double> factors = continuation_factors(own.continuation);
-    case_ = with_larger_diffusion(own, factors.front());
-    compute_values(case_, state_.last, nullptr);
     StageSeconds seconds;
-    const auto next = [&](Case problem) {
-      case_ = std::move(problem);
-      influence_.reset();
-      seconds += std::exchange(state_.last.seconds, {});
-      return advance(state_.asked, seconds);
-    };
-    for (const double factor : factors | std::views::drop(1))
-      if (!next(with_larger_diffusion(own, factor))) break;
-    if (!next(own)) compute_values(case_, state_.last, nullptr);
+    try {
+      for (const double factor : continuation_factors(own.continuation)) {
+        if (!may_continue()) break;
+        case_ = with_larger_diffusion(own, factor);
+        pass_stage(seconds);
+      }
+    } catch (const ProblemError&) {
+      state_.last.values.clear();  // flux data may balance for the case's own diffusion only
+    }
+    case_ = own;
+    pass_stage(seconds);
+    is_continued_ = !interrupted();
     state_.last.seconds += seconds;
     state_.unchanged = state_.limits_bind = false;
+  }
+
+  // Solves the first problem on the mesh that is there, each further one on a mesh made from the solution before.
+  void pass_stage(StageSeconds& seconds) {
+    seconds += std::exchange(state_.last.seconds, {});
+    const bool has_values = !state_.last.values.empty();
+    if (!has_values || interrupted() || !advance(state_.asked, seconds)) compute_values(case_, state_.last, nullptr);
+  }
+
+  bool may_continue() const {
+    return !interrupted() && !(case_.targets.max_seconds && lap_.seconds() >= *case_.targets.max_seconds);
   }
 
   // Measures the last iterate and reports it.
@@ -139,7 +154,7 @@ class Loop {
     for (std::string& warning : last.report.warnings) warn_once(std::move(warning));
     last.report.warnings.clear();
     const double excess = excess_of(rows.back());
-    const bool adapted = rows.size() > 1 || options_.start || case_.continuation > 1.0;
+    const bool adapted = rows.size() > 1 || options_.start || is_continued_;
     state_.history.push_back({state_.asked, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
     remember_if_met();
     const Stopwatch now;
@@ -281,6 +296,7 @@ class Loop {
   Case case_;
   const LoopOptions& options_;
   SizeGoal goal_;
+  bool is_continued_ = false;  // the first mesh is that of a whole continuation
   std::optional<TensorInterpolant> influence_;
   Stopwatch lap_;  // since the last row
   LoopState state_;

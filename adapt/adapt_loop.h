@@ -23,7 +23,7 @@ struct LoopOptions {
   const LoopState* resume = nullptr;                    // goes on there
   bool isotropic = false;                               // metrics of the form s I
   std::optional<ErrorMeasure> measure = {};             // what metrics make small; absent: error_measure(targets)
-  const Iterate* start = nullptr;                       // begins there, with values, instead of on a uniform mesh
+  const Iterate* start = nullptr;                       // begins there, with values
   std::optional<InterpolationLimit> limit = {};         // computed on the first mesh when absent and needed
 };
 
@@ -53,9 +53,9 @@ ErrorMeasure error_measure(const Targets& targets);
 bool is_round_off(double l2, std::span<const double> values);
 
 /// Mesh, solve, measure, recover, metric, remesh from the previous particles, until the targets are
-/// met or a budget is spent (see StopReason and next_size). The first mesh is uniform unless
-/// options.start is given. From a state that an observer was given, with options.resume, the loop comes to
-/// the end it would have come to without a break, bit by bit.
+/// met or a budget is spent (see StopReason and next_size). The first mesh is uniform, or that of
+/// continuation, unless options.start is given. From a state that an observer was given, with options.resume, the loop
+/// comes to the end it would have come to without a break, bit by bit.
 ///
 /// Errors: as generate and solve; LimitError when targets.vertices exceeds the safety limit.
 LoopResult adapt(const Case& input, const LoopOptions& options);

@@ -17,6 +17,7 @@ Case with_larger_diffusion(const Case& input, double factor) {
   };
   result.exact.reset();
   result.metric.exact_hessian = false;
+  result.metric.automatic_aspect = false;
   return result;
 }
 

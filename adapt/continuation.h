@@ -10,8 +10,8 @@ namespace parmesan {
 /// case's own, from the largest by quarters; all above 1.
 std::vector<double> continuation_factors(double largest);
 
-/// The case with the diffusion this many times as large and all other data as they are. Its exact solution is not
-/// known.
+/// The case with the diffusion this many times as large. All other data are as they are, a source that was derived from
+/// an exact solution too: the solution is not known. Aspects are not bounded for the solution's sake.
 Case with_larger_diffusion(const Case& input, double factor);
 
 }  // namespace parmesan

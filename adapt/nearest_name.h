@@ -13,7 +13,8 @@ namespace parmesan {
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The allowed name closest to the one written; empty when none is close enough to be a slip
-/// (half its length, at least 1) and not just one begins with it. Ties go to the first. Case does not count.
+/// (half its length, at least 1) and not just one begins with it, of at least three letters. Ties go to the first. Case
+/// does not count.
 std::string nearest_name(std::string_view written, std::span<const std::string> allowed);
 
 /// "; did you mean 'alpha'?" or nothing.

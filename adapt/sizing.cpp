@@ -130,7 +130,8 @@ SizeDecision when_met(std::span<const SizeStep> history, const SizeGoal& goal) {
   if (static_cast<int>(history.size() + passes_to_return) > goal.max_passes) return stop;
   const double enough = (1.0 + margin) * predicted_vertices(last.vertices, last.error, 1.0, observed_order(history));
   const double asked = std::max({enough, largest_shrink * last.vertices, history.front().asked});
-  return asked < worth_shrinking * last.vertices ? SizeDecision{asked, std::nullopt} : stop;
+  const bool is_smaller = asked < std::min(worth_shrinking * last.vertices, last.asked);
+  return is_smaller ? SizeDecision{asked, std::nullopt} : stop;
 }
 
 }  // namespace

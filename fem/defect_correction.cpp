@@ -55,7 +55,7 @@ CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double
     const Eigen::VectorXd f = vector_of(step->values);
     result.residual = std::move(step->residual);
     result.change = relative_change(mass, f, vector_of(values), w + f);
-    const double interpolation = error_of(discrete.mesh, surplus, zeros).l2;
+    const double interpolation = error_of(discrete.mesh, step->surplus, zeros).l2;
     done = result.steps == max_steps || l2_norm(mass, f) <= tolerance * interpolation;
     if (done) {
       w += f;

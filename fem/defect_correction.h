@@ -17,9 +17,9 @@ struct CorrectedValues {
 
 /// Steps of nodal_correction.h, the gradients recovered anew for each, accelerated (anderson.h), until one changes the
 /// values by less than 5 % of the interpolation error in L2, at most 12. What is left of the error is that of the
-/// interpolant where the gradients are recovered well, and at singular corners half or a third of what it was. Without
-/// effect where the steps do not converge (the equations hardly resolve the solution, a wave of a few vertices): change
-/// is then large, infinite where a step is not found.
+/// interpolant where the gradients are recovered well, and around singular vertices nearly so. Without effect where the
+/// steps do not converge (the equations hardly resolve the solution, a wave of a few vertices): change is then large,
+/// infinite where a step is not found.
 ///
 /// values: n, of u_h. Errors: as nodal_correction. Cost: of each step, a solution of equations that are prepared and a
 /// recovery.

@@ -24,4 +24,9 @@ DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_proble
       mismatch(balance_load(mesh, null_space, system)),
       equations(system, fixed.fixed, null_space, problem.solver) {}
 
+LocalSolution& DiscreteProblem::local_solution() {
+  if (!local_) local_.emplace(mesh, problem, sides);
+  return *local_;
+}
+
 }  // namespace parmesan

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "fem/free_equations.h"
+#include "fem/local_solution.h"
 #include "fem/problem.h"
 #include "fem/smooth_parts.h"
 
@@ -26,6 +28,12 @@ struct DiscreteProblem {
   NullSpace null_space;
   double mismatch;  // of the data, the largest relative one
   FreeEquations equations;
+
+  /// Made when it is first asked for.
+  LocalSolution& local_solution();
+
+ private:
+  std::optional<LocalSolution> local_;
 };
 
 }  // namespace parmesan

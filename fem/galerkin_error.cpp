@@ -26,7 +26,7 @@ EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double>
       corrected[v] += correction->values[v];
       missing[v] = corrected[v] - values[v];
     }
-    const EstimatedError estimate = error_of(discrete.mesh, surplus, missing);
+    const EstimatedError estimate = error_of(discrete.mesh, correction->surplus, missing);
     if (!(estimate.l2 <= result.l2)) result.l2 = estimate.l2;  // NaN stays
     if (!(estimate.linf <= result.linf)) result.linf = estimate.linf;
   }

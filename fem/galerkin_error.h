@@ -16,8 +16,8 @@ namespace parmesan {
 /// gradients are then recovered from the corrected values, and these corrected once more; of the two results the larger
 /// ones are returned. h1 is that of recovered gradients alone: to it the second part adds little.
 ///
-/// Asymptotically exact where the gradients are; too small at singular corners, where they are not (README.md). l2 and
-/// linf are NaN where the second part is not found. Errors and cost: two steps of nodal_correction.h.
+/// Asymptotically exact where the gradients are. Around singular vertices solutions on refined patches take their
+/// place. l2 and linf are NaN where the second part is not found. Errors and cost: two steps of nodal_correction.h.
 EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double> values);
 
 }  // namespace parmesan

@@ -64,7 +64,7 @@ void subtract_robin(const DiscreteProblem& discrete, std::span<const Surplus> su
   }
 }
 
-/// F_i - B(w + q, phi_i), q the function with this surplus above the P1 function w.
+/// F_i - B(w + q, phi_i), q the function with this surplus above the P1 function w; the mean is not looked at.
 Eigen::VectorXd defect(const DiscreteProblem& discrete, std::span<const double> values,
                        std::span<const Surplus> surplus) {
   const Mesh& mesh = discrete.mesh;
@@ -76,8 +76,16 @@ Eigen::VectorXd defect(const DiscreteProblem& discrete, std::span<const double> 
     return form_moments(discrete.problem, element, mesh.regions[t], gradient, surplus[t]);
   });
   subtract_robin(discrete, surplus, load);
-  remove_imbalance(discrete.null_space, discrete.system, load);
   return load;
+}
+
+/// In place of w on the patch, whose triangles had no surplus yet.
+void insert(const LocalCorrection& patch, const LocalSolution& local, Eigen::VectorXd& load,
+            std::vector<Surplus>& surplus) {
+  for (std::size_t v = 0; v < local.vertices().size(); ++v)
+    load[local.vertices()[v]] += patch.load[static_cast<Eigen::Index>(v)];
+  for (std::size_t t = 0; t < local.triangles().size(); ++t)
+    surplus[static_cast<std::size_t>(local.triangles()[t])] = patch.surplus[t];
 }
 
 /// Where only the mean of u is known, w + q + e gets the mean zero.
@@ -98,13 +106,24 @@ void remove_means(const DiscreteProblem& discrete, const Eigen::Map<const Eigen:
 
 std::optional<NodalCorrection> nodal_correction(DiscreteProblem& discrete, std::span<const double> values,
                                                 std::span<const Surplus> surplus) {
-  const Eigen::VectorXd load = defect(discrete, values, surplus);
+  NodalCorrection result{.values = {}, .residual = {}, .surplus = {surplus.begin(), surplus.end()}};
+  LocalSolution& local = discrete.local_solution();
+  const std::optional<LocalCorrection> patch = local.empty() ? std::nullopt : local.correct(values, surplus);
+  if (patch)
+    for (const int t : local.triangles()) result.surplus[static_cast<std::size_t>(t)] = {};
+  Eigen::VectorXd load = defect(discrete, values, result.surplus);
+  if (patch) insert(*patch, local, load, result.surplus);
+  remove_imbalance(discrete.null_space, discrete.system, load);
   std::optional<std::vector<double>> e = discrete.equations.approximate(load);
   if (!e) return std::nullopt;
-  remove_means(discrete, {values.data(), load.size()}, surplus, *e);
-  NodalCorrection result{.values = std::move(*e), .residual = std::vector<double>(values.size())};
-  const Eigen::Map<const Eigen::VectorXd> x(result.values.data(), load.size());
+  result.residual.resize(values.size());
+  const Eigen::Map<const Eigen::VectorXd> x(e->data(), load.size());
   Eigen::Map<Eigen::VectorXd>(result.residual.data(), load.size()) = discrete.system.matrix * x - load;
+  result.values = std::move(*e);
+  if (patch)
+    for (std::size_t v = 0; v < patch->change.size(); ++v)
+      result.values[static_cast<std::size_t>(local.vertices()[v])] += patch->change[v];
+  remove_means(discrete, {values.data(), load.size()}, result.surplus, result.values);
   return result;
 }
 

@@ -7,7 +7,7 @@
 
 namespace parmesan {
 
-/// A triangle that holds a point, and where in it the point lies.
+/// A triangle and a point of it.
 struct TrianglePlace {
   int triangle = 0;
   Barycentric lambda{};

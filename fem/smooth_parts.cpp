@@ -14,16 +14,6 @@ bool differ(const Diffusion& a, const Diffusion& b) {
   return !(largest(jump) <= tolerance * std::min(largest(a), largest(b)));  // NaN too
 }
 
-bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side) {
-  if (!side.interior) return false;
-  const auto condition = problem.boundary.find(side.label);
-  if (condition != problem.boundary.end() && condition->second.kind == BoundaryKind::Dirichlet) return true;
-  if (!problem.diffusion || side.region == side.other_region) return false;
-  const Point middle =
-      midpoint(mesh.points[static_cast<std::size_t>(side.from)], mesh.points[static_cast<std::size_t>(side.to)]);
-  return differ(problem.diffusion(middle, side.region), problem.diffusion(middle, side.other_region));
-}
-
 /// The sides along which the mesh comes apart. One between two tips cannot.
 std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
   std::vector<char> opens(sides.size(), 0);
@@ -45,6 +35,16 @@ std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const 
 }
 
 }  // namespace
+
+bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side) {
+  if (!side.interior) return false;
+  const auto condition = problem.boundary.find(side.label);
+  if (condition != problem.boundary.end() && condition->second.kind == BoundaryKind::Dirichlet) return true;
+  if (!problem.diffusion || side.region == side.other_region) return false;
+  const Point middle =
+      midpoint(mesh.points[static_cast<std::size_t>(side.from)], mesh.points[static_cast<std::size_t>(side.to)]);
+  return differ(problem.diffusion(middle, side.region), problem.diffusion(middle, side.other_region));
+}
 
 SmoothParts::SmoothParts(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) : whole_(&mesh) {
   const std::vector<char> opens = opening_sides(mesh, problem, sides);

@@ -10,6 +10,10 @@
 
 namespace parmesan {
 
+/// Whether the gradient jumps across a side: between regions whose diffusion differs by more than 1 %, and at interior
+/// constraints with given values.
+bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side);
+
 /// The mesh taken apart where the gradient of the solution jumps: along sides between regions with different diffusion,
 /// and along interior constraints with given values. Vertices there are doubled, so that gradients and second
 /// derivatives that are recovered on the parts know nothing of the other side. Triangles keep their order.

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,13 +64,47 @@ TEST_CASE("after continuation the case's own problem is solved, for a goal too",
   }
 }
 
-TEST_CASE("an interrupt during continuation leaves a row of the case's own problem", "[adapt][continuation]") {
-  const std::atomic<bool> interrupted{true};
+TEST_CASE("an interrupt during continuation leaves a row of the case's own problem, and a state to begin again from",
+          "[adapt][continuation]") {
+  std::atomic<bool> interrupted{true};
+  std::optional<LoopState> state;
   LoopOptions options;
   options.interrupted = &interrupted;
-  const std::string targets = R"("targets": {"vertices": 300}, "initial": {"vertices": 300)";
-  const LoopResult continued = adapt(layer(targets + R"(, "continuation": 16})"), options);
+  options.observer = [&state](const LoopState& s) { state = s; };
+  const std::string targets = R"("targets": {"vertices": 300, "max_iterations": 2}, "initial": {"vertices": 300)";
+  const Case input = layer(targets + R"(, "continuation": 16})");
+  const LoopResult cut = adapt(input, options);
+  const LoopState at_the_cut = state.value();
   const LoopResult uniform = adapt(layer(targets + "}"), options);
-  CHECK(continued.summary.stop_reason == StopReason::Interrupted);
-  CHECK((continued.last.values == uniform.last.values));
+  CHECK(cut.summary.stop_reason == StopReason::Interrupted);
+  CHECK((cut.last.values == uniform.last.values));
+  const LoopResult whole = adapt(input, {});
+  options.resume = &at_the_cut;
+  interrupted = false;
+  const LoopResult resumed = adapt(input, options);
+  CHECK(resumed.summary.iterations.size() == 2);
+  CHECK((resumed.last.values == whole.last.values));
+}
+
+TEST_CASE("continuation passes over flux data that balance for the case's own diffusion only",
+          "[adapt][continuation][nullspace]") {
+  const auto first_of = [](const std::string& continuation) {
+    return adapt(parse_case(R"case({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+        "problem": {"diffusion": 0.1, "velocity": [1, 0], "exact": "sin(3*x)*cos(2*y)",
+                    "boundary": {"*": {"neumann": "exact"}}},
+        "targets": {"vertices": 300, "max_iterations": 1}, "initial": {"continuation": )case" +
+                                continuation + "}}",
+                            "test.json"),
+                 {})
+        .last.values;
+  };
+  CHECK((first_of("100") == first_of("1")));
+}
+
+TEST_CASE("continuation ends with the time", "[adapt][continuation]") {
+  const std::string targets = R"("targets": {"vertices": 300, "max_seconds": 1e-9}, "initial": {"vertices": 300)";
+  const LoopResult hurried = adapt(layer(targets + R"(, "continuation": 1e12})"), {});
+  const LoopResult uniform = adapt(layer(targets + "}"), {});
+  CHECK(hurried.summary.stop_reason == StopReason::TimeBudget);
+  CHECK((hurried.last.values == uniform.last.values));
 }

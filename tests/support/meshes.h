@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
 #include <utility>
 #include <vector>
@@ -107,6 +109,38 @@ inline Mesh two_regions(int n, int label, unsigned seed) {
     mesh.labels.push_back(label);
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.regions[t] = static_cast<int>(t / 2) % n < n / 2 ? 1 : 2;
+  return mesh;
+}
+
+/// The square (-1, 1)^2 without its quarter below and to the right, n cells on each half side; all edges are Bottom.
+inline Mesh l_shape_mesh(int n) {
+  const Mesh square = rectangle_mesh(2 * n, 2 * n, {-1, -1}, {1, 1});
+  Mesh mesh;
+  mesh.label_names = square.label_names;
+  std::vector<int> number(square.points.size(), -1);
+  std::map<std::pair<int, int>, int> count;  // of triangles on the directed side
+  for (std::size_t t = 0; t < square.triangles.size(); ++t) {
+    const std::size_t cell = t / 2;
+    const auto cells = static_cast<std::size_t>(n);
+    if (cell % (2 * cells) >= cells && cell / (2 * cells) < cells) continue;
+    std::array<int, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      int& v = number[static_cast<std::size_t>(square.triangles[t][k])];
+      if (v < 0) {
+        v = mesh.num_vertices();
+        mesh.points.push_back(square.points[static_cast<std::size_t>(square.triangles[t][k])]);
+      }
+      corners[k] = v;
+    }
+    mesh.triangles.push_back(corners);
+    for (std::size_t k = 0; k < 3; ++k) ++count[{corners[k], corners[(k + 1) % 3]}];
+  }
+  mesh.regions.assign(mesh.triangles.size(), 0);
+  for (const auto& [side, once] : count) {
+    if (count.contains({side.second, side.first})) continue;
+    mesh.edges.push_back({side.first, side.second});
+    mesh.labels.push_back(Bottom);
+  }
   return mesh;
 }
 

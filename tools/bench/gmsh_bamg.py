@@ -55,7 +55,7 @@ def main():
     pathlib.Path(out + ".geo").write_text(
         geometry(xs, ys, edges) + f'Merge "{out}.pos";\nField[1] = PostView;\nField[1].ViewIndex = 0;\n'
         "Background Field = 1;\nMesh.Algorithm = 7;\nMesh.MeshSizeExtendFromBoundary = 0;\n"
-        "Mesh.MeshSizeFromPoints = 0;\n")
+        "Mesh.MeshSizeFromPoints = 0;\nMesh.SaveElementTagType = 2;\n")
     made = out + ".gmsh.mesh"
     status = peer.timed([os.environ.get("GMSH", "gmsh"), "-2", "-nt", "1", out + ".geo", "-o", made], out)
     if status == 0:

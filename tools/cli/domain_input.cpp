@@ -1,5 +1,6 @@
 #include "tools/cli/domain_input.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -34,7 +35,9 @@ Domain repaired(Domain domain, const RepairOptions& options) {
   if (options.merge_tolerance > 0.0) domain.merge_tolerance = options.merge_tolerance;
   if (!options.split_crossings && domain.merge_tolerance == 0.0) return domain;
   CleanDomain result = clean(domain, options.split_crossings ? Crossings::Split : Crossings::Refuse);
-  for (const std::string& sentence : result.repairs) print_warning(sentence);
+  const std::vector<std::string> again = clean(result.domain).repairs;  // what those who take it will find too
+  for (const std::string& sentence : result.repairs)
+    if (std::ranges::find(again, sentence) == again.end()) print_warning(sentence);
   return std::move(result.domain);
 }
 

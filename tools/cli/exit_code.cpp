@@ -3,8 +3,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <set>
-#include <string>
 
 #include "adapt/case.h"
 #include "fem/problem.h"
@@ -27,8 +25,7 @@ void print_error(const std::string& message) {
 }
 
 void print_warning(const std::string& message) {
-  static std::set<std::string> printed;
-  if (printed.insert(message).second) std::cerr << "parmesan: warning: " << escape_control(message, true) << std::endl;
+  std::cerr << "parmesan: warning: " << escape_control(message, true) << std::endl;
 }
 
 ExitCode report_current_exception() {

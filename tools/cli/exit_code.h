@@ -23,8 +23,7 @@ enum class ExitCode {
 /// To be called in a catch block only.
 ExitCode report_current_exception();
 
-/// Print "parmesan: error: ..." or "parmesan: warning: ..." to standard error, control characters escaped; a warning
-/// once, however many stages find its reason.
+/// Print "parmesan: error: ..." or "parmesan: warning: ..." to standard error, control characters escaped.
 void print_error(const std::string& message);
 void print_warning(const std::string& message);
 

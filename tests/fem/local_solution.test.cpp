@@ -1,0 +1,144 @@
+#include "fem/local_solution.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "fem/defect_correction.h"
+#include "fem/discrete_problem.h"
+#include "fem/functionals.h"
+#include "fem/galerkin_error.h"
+#include "fem/norms.h"
+#include "tests/fem/manufactured.h"
+
+namespace parmesan {
+namespace {
+
+using namespace support;
+
+/// r^power sin(power theta), theta from the positive x axis counter-clockwise.
+ExactFunction singular(double power) {
+  const auto polar = [](const Point& p) {
+    const double theta = std::atan2(p.y, p.x);
+    return std::pair{norm(p), theta < 0.0 ? theta + 2 * std::numbers::pi : theta};
+  };
+  return {[=](const Point& p) {
+            const auto [r, theta] = polar(p);
+            return std::pow(r, power) * std::sin(power * theta);
+          },
+          [=](const Point& p) {
+            const auto [r, theta] = polar(p);
+            const double s = power * std::pow(r, power - 1.0);
+            return Vector{s * std::sin((power - 1.0) * theta), s * std::cos((power - 1.0) * theta)};
+          }};
+}
+
+Problem with_dirichlet(const ExactFunction& exact) {
+  Problem problem = unit_poisson();
+  problem.source = nullptr;
+  set_all(problem, dirichlet([exact](const Point& p, const Vector&, int) { return exact.value(p); }));
+  return problem;
+}
+
+/// Of the L shape, with the solution r^(2/3) sin(2 theta / 3).
+Problem l_shape_problem() {
+  Problem problem = with_dirichlet(singular(2.0 / 3.0));
+  for (const int label : {Right, Top, Left}) problem.boundary.erase(label);
+  return problem;
+}
+
+/// Values are given on the right half of the lower side and free of flux on the left: r^(1/2) sin(theta / 2).
+constexpr int kFree = 9;
+Mesh half_given_mesh(int n) {
+  Mesh mesh = rectangle_mesh(2 * n, n, {-1, 0}, {1, 1});
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if (mesh.labels[e] == Bottom && mesh.points[static_cast<std::size_t>(mesh.edges[e][0])].x < 0)
+      mesh.labels[e] = kFree;
+  return mesh;
+}
+
+struct Comparison {
+  double estimate = 0.0;   // over the error of Galerkin's solution
+  double corrected = 0.0;  // error of corrected values over that of the interpolant
+  double galerkin = 0.0;   // the same of Galerkin's
+};
+
+Comparison compared(const Mesh& mesh, const Problem& problem, const ExactFunction& exact) {
+  DiscreteProblem discrete(mesh, problem);
+  const std::vector<double> values = solve(discrete).values;
+  const double error = error_norms(mesh, values, exact).l2;
+  const double interpolation = error_norms(mesh, interpolate(mesh, exact.value), exact).l2;
+  const CorrectedValues corrected = correct_defect(discrete, values);
+  return {estimate_error(discrete, values).l2 / error, error_norms(mesh, corrected.values, exact).l2 / interpolation,
+          error / interpolation};
+}
+
+}  // namespace
+
+TEST_CASE("at a reentrant corner the error is estimated, and corrected values have that of the interpolant",
+          "[fem][singular][estimate]") {
+  const Comparison c = compared(l_shape_mesh(16), l_shape_problem(), singular(2.0 / 3.0));
+  CHECK(c.galerkin > 2.5);
+  CHECK(c.estimate == Approx(1.0).margin(0.08));
+  CHECK(c.corrected == Approx(1.0).margin(0.06));
+}
+
+TEST_CASE("where given values end the error is estimated, and corrected values have that of the interpolant",
+          "[fem][singular][estimate]") {
+  Problem problem = with_dirichlet(singular(0.5));
+  problem.boundary[kFree] = neumann({});
+  const Comparison c = compared(half_given_mesh(16), problem, singular(0.5));
+  CHECK(c.galerkin > 4.0);
+  CHECK(c.estimate == Approx(1.0).margin(0.12));
+  CHECK(c.corrected < 1.15);
+}
+
+TEST_CASE("a linear solution needs no correction on a patch", "[fem][singular]") {
+  Problem problem = l_shape_problem();
+  set_all(problem, dirichlet([](const Point& p, const Vector&, int) { return linear(p); }));
+  SECTION("diffusion") {}
+  SECTION("a velocity") {
+    problem.velocity = [](const Point&, int) { return Vector{3, 1}; };
+    problem.source = [](const Point&, int) { return 3 * -2.0 + 1 * 5.0; };
+  }
+  const Mesh mesh = l_shape_mesh(8);
+  LocalSolution local(mesh, problem, labelled_sides(mesh));
+  REQUIRE_FALSE(local.empty());
+  const std::vector<double> values = interpolate(mesh, linear);
+  const std::vector<Surplus> none(mesh.triangles.size());
+  const LocalCorrection patch = local.correct(values, none).value();
+  for (const double change : patch.change) CHECK(std::abs(change) < 1e-12);
+  for (const Surplus& s : patch.surplus)
+    for (const double side : s) CHECK(std::abs(side) < 1e-12);
+  CHECK(patch.load.lpNorm<Eigen::Infinity>() < 1e-11);
+}
+
+TEST_CASE("fluxes of values corrected on a patch are in balance", "[fem][singular][flux]") {
+  Problem problem = l_shape_problem();
+  problem.source = [](const Point& p, int) { return 1.0 + p.x; };
+  problem.correct_defect = true;
+  const Solution solution = solve(l_shape_mesh(8), problem);
+  CHECK(solution.report.correction_steps > 0);
+  CHECK(solution.fluxes.at(Bottom) == Approx(-2.5).epsilon(1e-10));  // -int f
+}
+
+TEST_CASE("a patch where only the mean of the solution is known", "[fem][singular][nullspace]") {
+  const ExactFunction exact = singular(2.0 / 3.0);
+  Problem problem = l_shape_problem();
+  set_all(problem, neumann([exact](const Point& p, const Vector& n, int) { return dot(n, exact.gradient(p)); }));
+  const Mesh mesh = l_shape_mesh(16);
+  DiscreteProblem discrete(mesh, problem);
+  const std::vector<double> values = solve(discrete).values;
+  const Functional integral = region_integral(mesh, [exact](const Point& p, int) { return exact.value(p); });
+  const double mean = std::accumulate(integral.begin(), integral.end(), 0.0) / 3.0;
+  const ExactFunction centered{[=](const Point& p) { return exact.value(p) - mean; }, exact.gradient};
+  CHECK(estimate_error(discrete, values).l2 == Approx(error_norms(mesh, values, centered).l2).epsilon(0.1));
+}
+
+TEST_CASE("nothing is local where nothing is singular", "[fem][singular]") {
+  const Mesh mesh = rectangle_mesh(8, 8);
+  CHECK(LocalSolution(mesh, unit_poisson(), labelled_sides(mesh)).empty());
+}
+
+}  // namespace parmesan
