@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "fem/p1.h"
 #include "fem/singular_vertices.h"
@@ -35,11 +36,34 @@ std::vector<double> at_coarse(const RefinedPatch& patch, std::span<const double>
   return result;
 }
 
+/// The problem with that part of the point sources that the triangles of the patch have: they are shared by all that
+/// hold the place.
+Problem with_sources_of_patch(const Mesh& mesh, const RefinedPatch& patch, Problem problem) {
+  std::vector<PointSource> sources;
+  for (PointSource source : std::exchange(problem.point_sources, {})) {
+    const std::vector<TrianglePlace> holders = triangles_at(mesh, source.place);
+    const auto inside = std::ranges::count_if(
+        holders, [&](const TrianglePlace& p) { return std::ranges::binary_search(patch.triangles, p.triangle); });
+    source.strength *= static_cast<double>(inside) / static_cast<double>(holders.size());
+    if (inside > 0) sources.push_back(source);
+  }
+  problem.point_sources = std::move(sources);
+  return problem;
+}
+
 }  // namespace
 
 LocalSolution::LocalSolution(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) : mesh_(mesh) {
   patch_ = refined_patch(mesh, sides, singular_vertices(mesh, problem, sides));
   if (patch_.triangles.empty()) return;
+  try {
+    prepare(with_sources_of_patch(mesh, patch_, problem));
+  } catch (const InputError&) {  // of data at points that the solution did not look at, which stands all the same
+    equations_.reset();
+  }
+}
+
+void LocalSolution::prepare(const Problem& problem) {
   const std::vector<Side> fine_sides = labelled_sides(patch_.fine);
   coarse_ = assemble_with_conditions(patch_.coarse, problem, labelled_sides(patch_.coarse));
   fine_ = assemble_with_conditions(patch_.fine, problem, fine_sides);

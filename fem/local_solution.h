@@ -21,9 +21,8 @@ struct LocalCorrection {
 /// Math. 43 (1984) 379), where recovered gradients say little of the solution.
 class LocalSolution {
  public:
-  /// Empty where nothing is singular, or refined_patch() or the equations on the patch are of no use. Mesh and problem
-  /// must live as long. Errors: as assemble_with_conditions. Cost: O(n), and the factorization of the equations of ten
-  /// vertices for each triangle of the patch.
+  /// Empty where nothing is singular, or refined_patch() or the equations on the patch are of no use. The mesh must
+  /// live as long. Cost: O(n), and the factorization of the equations of ten vertices for each triangle of the patch.
   LocalSolution(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);
   LocalSolution(const LocalSolution&) = delete;
   LocalSolution& operator=(const LocalSolution&) = delete;
@@ -37,6 +36,7 @@ class LocalSolution {
   std::optional<LocalCorrection> correct(std::span<const double> values, std::span<const Surplus> surplus);
 
  private:
+  void prepare(const Problem& problem);
   std::vector<double> given_values(std::span<const double> values, std::span<const Surplus> surplus) const;
   std::vector<Surplus> surplus_of(std::span<const double> fine) const;
 

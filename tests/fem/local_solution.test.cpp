@@ -123,6 +123,30 @@ TEST_CASE("fluxes of values corrected on a patch are in balance", "[fem][singula
   CHECK(solution.fluxes.at(Bottom) == Approx(-2.5).epsilon(1e-10));  // -int f
 }
 
+TEST_CASE("point sources load the patch where they lie in it", "[fem][singular][flux]") {
+  Problem problem = l_shape_problem();
+  set_all(problem, dirichlet({}));
+  problem.correct_defect = true;
+  const Point inside{-0.1, 0.1}, at_corner_of_patch{-0.375, 0.0}, outside{-0.5, 0.7};
+  const Point place = GENERATE_COPY(inside, at_corner_of_patch, outside);
+  problem.point_sources = {{place, 2.0}};
+  const Mesh mesh = l_shape_mesh(8);
+  REQUIRE_FALSE(LocalSolution(mesh, problem, labelled_sides(mesh)).empty());
+  const Solution solution = solve(mesh, problem);
+  CHECK(solution.report.correction_steps > 0);
+  CHECK(solution.fluxes.at(Bottom) == Approx(-2.0).epsilon(1e-10));
+}
+
+TEST_CASE("data that are not finite between the points that were looked at leave the solution alone",
+          "[fem][singular][errors]") {
+  Problem problem = l_shape_problem();
+  problem.source = [](const Point& p, int) { return norm(p) < 1e-5 ? HUGE_VAL : 1.0; };
+  const Mesh mesh = l_shape_mesh(8);
+  DiscreteProblem discrete(mesh, problem);
+  CHECK(discrete.local_solution().empty());
+  CHECK(estimate_error(discrete, solve(discrete).values).l2 > 0.0);
+}
+
 TEST_CASE("a patch where only the mean of the solution is known", "[fem][singular][nullspace]") {
   const ExactFunction exact = singular(2.0 / 3.0);
   Problem problem = l_shape_problem();
