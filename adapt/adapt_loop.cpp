@@ -129,17 +129,19 @@ class Loop {
       state_.last.values.clear();  // flux data may balance for the case's own diffusion only
     }
     case_ = own;
-    pass_stage(seconds);
-    is_continued_ = !interrupted();
+    is_continued_ = pass_stage(seconds);
     state_.last.seconds += seconds;
     state_.unchanged = state_.limits_bind = false;
   }
 
-  // Solves the first problem on the mesh that is there, each further one on a mesh made from the solution before.
-  void pass_stage(StageSeconds& seconds) {
+  // Solves the first problem on the mesh that is there, each further one on a mesh made from the solution before. True:
+  // on such a mesh.
+  bool pass_stage(StageSeconds& seconds) {
     seconds += std::exchange(state_.last.seconds, {});
     const bool has_values = !state_.last.values.empty();
-    if (!has_values || interrupted() || !advance(state_.asked, seconds)) compute_values(case_, state_.last, nullptr);
+    if (has_values && !interrupted() && advance(state_.asked, seconds)) return true;
+    compute_values(case_, state_.last, nullptr);
+    return false;
   }
 
   bool may_continue() const {

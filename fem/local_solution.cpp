@@ -60,6 +60,8 @@ LocalSolution::LocalSolution(const Mesh& mesh, const Problem& problem, const std
     prepare(with_sources_of_patch(mesh, patch_, problem));
   } catch (const InputError&) {  // of data at points that the solution did not look at, which stands all the same
     equations_.reset();
+  } catch (const SolveError&) {
+    equations_.reset();
   }
 }
 
@@ -80,7 +82,7 @@ std::vector<double> LocalSolution::given_values(std::span<const double> values,
                                                 std::span<const Surplus> surplus) const {
   std::vector<double> given = dirichlet_.values;
   for (std::size_t i = 0; i < given.size(); ++i) {
-    if (dirichlet_.fixed[i] || !patch_.is_cut[i]) continue;
+    if (!patch_.is_cut[i]) continue;  // where data of several sides meet, w has those of the whole mesh
     const TrianglePlace place{patch_.triangles[at(patch_.places[i].triangle)], patch_.places[i].lambda};
     given[i] = value_at(mesh_, place, values) + Quadratic{surplus[at(place.triangle)]}.at(place.lambda);
   }

@@ -137,6 +137,25 @@ TEST_CASE("point sources load the patch where they lie in it", "[fem][singular][
   CHECK(solution.fluxes.at(Bottom) == Approx(-2.0).epsilon(1e-10));
 }
 
+TEST_CASE("given values stay where two of them meet at the end of a patch", "[fem][singular][dirichlet]") {
+  Problem problem = l_shape_problem();
+  Mesh mesh = l_shape_mesh(16);
+  constexpr int other = 0;  // the lower label, whose value is taken
+  problem.boundary[other] = dirichlet([](const Point&, const Vector&, int) { return 7.0; });
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const Point a = mesh.points[static_cast<std::size_t>(mesh.edges[e][0])];
+    const Point b = mesh.points[static_cast<std::size_t>(mesh.edges[e][1])];
+    if (a.y == 0.0 && b.y == 0.0 && std::min(a.x, b.x) >= 3.0 / 16.0) mesh.labels[e] = other;
+  }
+  DiscreteProblem discrete(mesh, problem);
+  REQUIRE_FALSE(discrete.local_solution().empty());
+  const CorrectedValues corrected = correct_defect(discrete, solve(discrete).values);
+  for (std::size_t v = 0; v < corrected.values.size(); ++v) {
+    if (!discrete.fixed.fixed[v]) continue;
+    CHECK(corrected.values[v] == Approx(discrete.fixed.values[v]).margin(1e-12));
+  }
+}
+
 TEST_CASE("data that are not finite between the points that were looked at leave the solution alone",
           "[fem][singular][errors]") {
   Problem problem = l_shape_problem();

@@ -31,11 +31,20 @@ GeometryInput read_input(const std::string& path) {
   return read_geometry_input(path);
 }
 
+/// What those who take a mended domain will find and say too.
+std::vector<std::string> found_again(const Domain& domain) {
+  try {
+    return clean(domain).repairs;
+  } catch (const GeometryError&) {
+    return {};
+  }
+}
+
 Domain repaired(Domain domain, const RepairOptions& options) {
   if (options.merge_tolerance > 0.0) domain.merge_tolerance = options.merge_tolerance;
   if (!options.split_crossings && domain.merge_tolerance == 0.0) return domain;
   CleanDomain result = clean(domain, options.split_crossings ? Crossings::Split : Crossings::Refuse);
-  const std::vector<std::string> again = clean(result.domain).repairs;  // what those who take it will find too
+  const std::vector<std::string> again = found_again(result.domain);
   for (const std::string& sentence : result.repairs)
     if (std::ranges::find(again, sentence) == again.end()) print_warning(sentence);
   return std::move(result.domain);
