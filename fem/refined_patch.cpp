@@ -40,9 +40,9 @@ std::vector<char> rings_around(const Mesh& mesh, std::span<const int> centers, i
 
 /// Flags of the triangles of the patch.
 std::vector<char> chosen_triangles(const Mesh& mesh, std::span<const int> centers) {
-  constexpr std::ptrdiff_t vertices_each = 10, few_vertices = 10'000;
+  constexpr std::ptrdiff_t vertices_each = 10, few_vertices = 40'000;
   const std::ptrdiff_t most =
-      std::min(std::ssize(mesh.triangles) / 4, std::max(few_vertices, std::ssize(mesh.points)) / vertices_each);
+      std::min(std::ssize(mesh.triangles) / 4, std::max(few_vertices, 2 * std::ssize(mesh.points)) / vertices_each);
   for (const int rings : {3, 2}) {
     std::vector<char> chosen = rings_around(mesh, centers, rings);
     if (std::ranges::count(chosen, 1) <= most) return chosen;

@@ -23,8 +23,9 @@ struct RefinedPatch {
 };
 
 /// The patch of three rings of triangles around each center, two where three would be more than a quarter of the mesh,
-/// or have more vertices when it is refined than the mesh and 10 000; empty where two would too, or triangles are too
-/// small for their coordinates to be cut. centers: ascending; sides: labelled_sides(mesh). Cost: O(n).
+/// or have more vertices when it is refined than the larger of 40 000 and twice those of the mesh; empty where two
+/// would too, or triangles are too small for their coordinates to be cut. centers: ascending; sides:
+/// labelled_sides(mesh). Cost: O(n).
 RefinedPatch refined_patch(const Mesh& mesh, const std::vector<Side>& sides, std::span<const int> centers);
 
 }  // namespace parmesan
