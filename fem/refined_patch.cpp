@@ -23,8 +23,9 @@ using Edge = std::array<int, 2>;
 
 Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Flags of the triangles in so many rings around the centers.
-std::vector<char> rings_around(const Mesh& mesh, std::span<const int> centers, int rings) {
+/// Flags of the triangles in two rings around the centers.
+std::vector<char> rings_around(const Mesh& mesh, std::span<const int> centers) {
+  constexpr int rings = 2;
   std::vector<char> reached(mesh.points.size(), 0);
   for (const int v : centers) reached[at(v)] = 1;
   std::vector<char> chosen(mesh.triangles.size(), 0);
@@ -38,16 +39,10 @@ std::vector<char> rings_around(const Mesh& mesh, std::span<const int> centers, i
   return chosen;
 }
 
-/// Flags of the triangles of the patch.
-std::vector<char> chosen_triangles(const Mesh& mesh, std::span<const int> centers) {
-  constexpr std::ptrdiff_t vertices_each = 10, few_vertices = 40'000;
-  const std::ptrdiff_t most =
-      std::min(std::ssize(mesh.triangles) / 4, std::max(few_vertices, 2 * std::ssize(mesh.points)) / vertices_each);
-  for (const int rings : {3, 2}) {
-    std::vector<char> chosen = rings_around(mesh, centers, rings);
-    if (std::ranges::count(chosen, 1) <= most) return chosen;
-  }
-  return std::vector<char>(mesh.triangles.size(), 0);
+bool is_too_large(const Mesh& mesh, std::ptrdiff_t num_triangles) {
+  constexpr std::ptrdiff_t vertices_each = 12, few_vertices = 40'000;
+  return num_triangles > std::ssize(mesh.triangles) / 4 ||
+         num_triangles * vertices_each > std::max(few_vertices, 2 * std::ssize(mesh.points));
 }
 
 /// Whether the smallest pieces are resolved by the coordinates.
@@ -251,7 +246,8 @@ class Refinement {
 }  // namespace
 
 RefinedPatch refined_patch(const Mesh& mesh, const std::vector<Side>& sides, std::span<const int> centers) {
-  const std::vector<char> chosen = chosen_triangles(mesh, centers);
+  const std::vector<char> chosen = rings_around(mesh, centers);
+  if (is_too_large(mesh, std::ranges::count(chosen, 1))) return {};
   for (std::size_t t = 0; t < chosen.size(); ++t)
     if (chosen[t] && !can_be_cut(p1_element(mesh, static_cast<int>(t)))) return {};
   CoarsePatch coarse(mesh, sides, chosen);

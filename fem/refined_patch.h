@@ -22,10 +22,10 @@ struct RefinedPatch {
   std::vector<char> is_cut;           // vertices of fine on sides shared with the rest of the mesh
 };
 
-/// The patch of three rings of triangles around each center, two where three would be more than a quarter of the mesh,
-/// or have more vertices when it is refined than the larger of 40 000 and twice those of the mesh; empty where two
-/// would too, or triangles are too small for their coordinates to be cut. centers: ascending; sides:
-/// labelled_sides(mesh). Cost: O(n).
+/// The patch of two rings of triangles around each center. Empty where it would be more than a quarter of the mesh,
+/// where it would have more vertices, refined, than the larger of 40 000 and twice those of the mesh, and where
+/// triangles are too small for their coordinates to be cut. centers: ascending; sides: labelled_sides(mesh). Cost:
+/// O(n).
 RefinedPatch refined_patch(const Mesh& mesh, const std::vector<Side>& sides, std::span<const int> centers);
 
 }  // namespace parmesan

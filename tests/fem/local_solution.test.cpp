@@ -127,7 +127,7 @@ TEST_CASE("point sources load the patch where they lie in it", "[fem][singular][
   Problem problem = l_shape_problem();
   set_all(problem, dirichlet({}));
   problem.correct_defect = true;
-  const Point inside{-0.1, 0.1}, at_corner_of_patch{-0.375, 0.0}, outside{-0.5, 0.7};
+  const Point inside{-0.1, 0.1}, at_corner_of_patch{-0.25, 0.0}, outside{-0.5, 0.7};
   const Point place = GENERATE_COPY(inside, at_corner_of_patch, outside);
   problem.point_sources = {{place, 2.0}};
   const Mesh mesh = l_shape_mesh(8);
@@ -145,7 +145,7 @@ TEST_CASE("given values stay where two of them meet at the end of a patch", "[fe
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const Point a = mesh.points[static_cast<std::size_t>(mesh.edges[e][0])];
     const Point b = mesh.points[static_cast<std::size_t>(mesh.edges[e][1])];
-    if (a.y == 0.0 && b.y == 0.0 && std::min(a.x, b.x) >= 3.0 / 16.0) mesh.labels[e] = other;
+    if (a.y == 0.0 && b.y == 0.0 && std::min(a.x, b.x) >= 2.0 / 16.0) mesh.labels[e] = other;
   }
   DiscreteProblem discrete(mesh, problem);
   REQUIRE_FALSE(discrete.local_solution().empty());

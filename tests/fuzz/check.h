@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -17,16 +18,15 @@
 
 namespace parmesan::fuzz {
 
-inline void check_indices(const Domain& domain) {
-  for (const Segment& segment : domain.segments)
-    for (const int point : {segment.a, segment.b}) CHECK(point >= 0 && point < static_cast<int>(domain.points.size()));
+inline bool has_right_indices(const Domain& domain) {
+  const auto is_point = [&domain](int p) { return p >= 0 && p < static_cast<int>(domain.points.size()); };
+  return std::ranges::all_of(domain.segments, [&](const Segment& s) { return is_point(s.a) && is_point(s.b); });
 }
 
-inline void check_indices(const Mesh& mesh) {
-  CHECK(mesh.labels.size() == mesh.edges.size());
-  CHECK(mesh.regions.size() == mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles)
-    for (const int vertex : triangle) CHECK(vertex >= 0 && vertex < mesh.num_vertices());
+inline bool has_right_indices(const Mesh& mesh) {
+  const auto is_vertex = [&mesh](int v) { return v >= 0 && v < mesh.num_vertices(); };
+  return mesh.labels.size() == mesh.edges.size() && mesh.regions.size() == mesh.triangles.size() &&
+         std::ranges::all_of(mesh.triangles, [&](const auto& t) { return std::ranges::all_of(t, is_vertex); });
 }
 
 }  // namespace parmesan::fuzz
