@@ -51,6 +51,7 @@ function problemInWords(problem = {}) {
   for (const [label, condition] of Object.entries(problem.boundary ?? {})) {
     words.push([label === '*' ? 'On the boundary' : `On ${label}`, conditionInWords(condition)]);
   }
+  if (problem.defect_correction) words.push(['Values', 'corrected for what Galerkin’s method adds to the error']);
   return words;
 }
 
@@ -62,7 +63,7 @@ function mesherInWords({particles = {}, ...options} = {}) {
 function caseInWords(input) {
   const words = [['Domain', geometryInWords(input.geometry)], ...problemInWords(input.problem)];
   if (input.parameters && Object.keys(input.parameters).length) words.push(['Parameters', listed(input.parameters)]);
-  words.push(['Targets', listed(input.targets ?? {}) || 'none'], ['Metric', listed(input.metric ?? {})],
-    ...mesherInWords(input.mesher));
+  words.push(['Targets', listed(input.targets ?? {}) || 'none'], ['Start', listed(input.initial ?? {})],
+    ['Metric', listed(input.metric ?? {})], ...mesherInWords(input.mesher));
   return words;
 }

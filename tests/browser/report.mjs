@@ -28,7 +28,8 @@ function parmesan(...words) {
 
 writeFileSync(join(folder, 'front.json'), JSON.stringify(front));
 parmesan('run', 'front.json', '--out', 'front', '-q');
-parmesan('run', 'front.json', '--out', strange, '-q', '--set', '/targets/l2_error=1e-2');
+parmesan('run', 'front.json', '--out', strange, '-q', '--set', '/targets/l2_error=1e-2', '--set', '/problem/defect_correction=true',
+  '--set', '/initial/continuation=4');
 parmesan('compare', 'front.json', '--out', 'compared', '--sizes', '300,900', '-q');
 parmesan('report', 'front', strange, 'compared', '-o', 'all.html', '-q');
 
@@ -144,6 +145,8 @@ async function checkPage(page, name, numPlots) {
   const page = await open('all.html');
   await checkPage(page, 'several', 3 + 2 * 4);
   check(await page.locator('h2').nth(1).textContent() === `${strange}: ${hostile}`, 'several: a hostile folder stays text');
+  check(await page.getByText('corrected for what Galerkin').count() === 1, 'several: the corrected run says that it is');
+  check(await page.getByText('continuation = 4').count() === 1, 'several: and how it began');
   await screenshot(page, 'several');
 }
 
