@@ -6,6 +6,7 @@
 
 #include "fem/coefficients.h"
 #include "fem/p1.h"
+#include "fem/side_integrals.h"
 #include "fem/smooth_parts.h"
 #include "fem/stabilization.h"
 
@@ -15,17 +16,21 @@ namespace {
 
 /// What meets at a vertex.
 struct Corner {
-  double angle = 0.0;      // of all triangles
-  bool has_given = false;  // a side of the boundary with given values
-  bool has_other = false;  // one with another condition
-  int lines = 0;           // sides across which the gradient jumps
-  Vector directions;       // the sum of theirs, away from the vertex
+  double angle = 0.0;                             // of all triangles
+  bool has_given = false;                         // a side of the boundary with given values
+  bool has_other = false;                         // one with another condition
+  double least = HUGE_VAL, greatest = -HUGE_VAL;  // of the values that its sides give it
+  int lines = 0;                                  // sides across which the gradient jumps
+  Vector directions;                              // the sum of theirs, away from the vertex
 
-  bool is_singular() const {
+  /// scale: of the values given on the boundary.
+  bool is_singular(double scale) const {
+    constexpr double jump = 1e-6;
     constexpr double reentrant = 1.15 * std::numbers::pi;
     constexpr double right = 0.55 * std::numbers::pi;
     constexpr double straight = 0.5;  // |sum| of two directions that differ by 30 degrees from opposite ones
     const bool on_boundary = has_given || has_other;
+    if (greatest - least > jump * scale) return true;
     if (on_boundary) return angle > reentrant || (has_given && has_other && angle > right) || lines > 0;
     return lines == 1 || lines > 2 || (lines == 2 && norm(directions) > straight);
   }
@@ -39,6 +44,40 @@ void add_angles(const Mesh& mesh, std::vector<Corner>& corners) {
       const Vector b = mesh.points[static_cast<std::size_t>(triangle[(k + 2) % 3])] - mesh.points[v];
       corners[v].angle += std::atan2(a.x * b.y - a.y * b.x, dot(a, b));
     }
+  }
+}
+
+/// Returns the largest of the values.
+double add_given_values(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                        std::vector<Corner>& corners) {
+  double largest = 0.0;
+  for (const Side& side : sides) {
+    if (side.interior) continue;
+    const BoundaryCondition& condition = problem.boundary.at(side.label);
+    const bool given = condition.kind == BoundaryKind::Dirichlet;
+    for (const int vertex : {side.from, side.to}) {
+      const auto v = static_cast<std::size_t>(vertex);
+      (given ? corners[v].has_given : corners[v].has_other) = true;
+      if (!given) continue;
+      const double value = data_at(condition.value, side, mesh.points[v]);
+      corners[v].least = std::min(corners[v].least, value);
+      corners[v].greatest = std::max(corners[v].greatest, value);
+      largest = std::max(largest, std::abs(value));
+    }
+  }
+  return largest;
+}
+
+void add_lines(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides, std::vector<Corner>& corners) {
+  for (const Side& side : sides) {
+    if (!side.interior || !gradient_jumps(mesh, problem, side)) continue;
+    Corner& from = corners[static_cast<std::size_t>(side.from)];
+    Corner& to = corners[static_cast<std::size_t>(side.to)];
+    const Vector along{-side.normal.y, side.normal.x};
+    from.directions = from.directions + along;
+    to.directions = to.directions - along;
+    ++from.lines;
+    ++to.lines;
   }
 }
 
@@ -59,22 +98,10 @@ void leave_advected(const Mesh& mesh, const Problem& problem, std::vector<char>&
 std::vector<int> singular_vertices(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
   std::vector<Corner> corners(mesh.points.size());
   add_angles(mesh, corners);
-  for (const Side& side : sides) {
-    Corner& from = corners[static_cast<std::size_t>(side.from)];
-    Corner& to = corners[static_cast<std::size_t>(side.to)];
-    if (!side.interior) {
-      const bool given = problem.boundary.at(side.label).kind == BoundaryKind::Dirichlet;
-      for (Corner* corner : {&from, &to}) (given ? corner->has_given : corner->has_other) = true;
-    } else if (gradient_jumps(mesh, problem, side)) {
-      const Vector along{-side.normal.y, side.normal.x};
-      from.directions = from.directions + along;
-      to.directions = to.directions - along;
-      ++from.lines;
-      ++to.lines;
-    }
-  }
+  const double scale = add_given_values(mesh, problem, sides, corners);
+  add_lines(mesh, problem, sides, corners);
   std::vector<char> is_singular(corners.size());
-  for (std::size_t v = 0; v < corners.size(); ++v) is_singular[v] = corners[v].is_singular() ? 1 : 0;
+  for (std::size_t v = 0; v < corners.size(); ++v) is_singular[v] = corners[v].is_singular(scale) ? 1 : 0;
   if (problem.velocity) leave_advected(mesh, problem, is_singular);
   std::vector<int> singular;
   for (std::size_t v = 0; v < corners.size(); ++v)

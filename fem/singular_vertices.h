@@ -8,9 +8,9 @@
 namespace parmesan {
 
 /// The vertices, ascending, where the gradient of the solution may grow beyond all bounds: corners of the boundary of
-/// more than 207 degrees, ends of cracks among them; where given values end at a corner of more than 99 degrees; where
-/// a line across which the gradient jumps ends, branches or turns by more than 30 degrees. Not where the mesh Peclet
-/// number of a triangle exceeds 1: there diffusion does not yet count.
+/// more than 207 degrees, ends of cracks among them; where given values jump, or end at a corner of more than 99
+/// degrees; where a line across which the gradient jumps ends, branches or turns by more than 30 degrees. Not where the
+/// mesh Peclet number of a triangle exceeds 1: there diffusion does not yet count.
 ///
 /// sides: labelled_sides(mesh). Errors: what the diffusion throws. Cost: O(n).
 std::vector<int> singular_vertices(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);

@@ -57,6 +57,15 @@ TEST_CASE("where given values end is singular but at right angles", "[fem][singu
   CHECK(singular_points(mesh, problem) == std::vector<Point>{{0, 0}});
 }
 
+TEST_CASE("where given values jump is singular", "[fem][singular]") {
+  Problem problem = unit_poisson();
+  const double jump = GENERATE(0.0, 1e-9, 1e-3, 2.0);
+  set_all(problem, dirichlet([](const Point& p, const Vector&, int) { return 1.0 - p.y; }));
+  problem.boundary[Bottom] = dirichlet([jump](const Point& p, const Vector&, int) { return 1.0 + jump * p.x; });
+  const std::vector<Point> corner{{1, 0}};
+  CHECK(singular_points(rectangle_mesh(4, 4), problem) == (jump > 1e-6 ? corner : std::vector<Point>{}));
+}
+
 TEST_CASE("interfaces are singular where they end, branch or turn", "[fem][singular]") {
   constexpr int interface = 7;
   const Mesh halves = two_regions(4, interface, 1);  // from the bottom to the top
