@@ -68,13 +68,13 @@ class Loop {
       decision.stop = StopReason::ErrorTarget;
     Summary& summary = state_.summary;
     const std::optional<std::int64_t> aimed = goal_.vertices ? case_.targets.vertices : std::nullopt;
-    for (std::string& warning : warnings_of_last(summary.iterations.back(), aimed))
+    for (std::string& warning : warnings_of_last(summary.iterations.back(), aimed, state_.limits_bind))
       summary.warnings.push_back(std::move(warning));
     summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
     if (summary.stop_reason == StopReason::ErrorTarget && case_.targets.goal_error)
       summary.stop_reason = StopReason::GoalTarget;
-    summary.targets_met =
-        goal_.error_targets ? state_.history.back().error <= 1.0 : summary.stop_reason != StopReason::Interrupted;
+    summary.targets_met = goal_.error_targets ? state_.history.back().error <= 1.0
+                                              : summary.stop_reason != StopReason::Interrupted && has_size_aimed_at();
     return {std::move(summary), std::move(state_.last), state_.limit};
   }
 
@@ -213,6 +213,11 @@ class Loop {
     if (static_cast<int>(state_.history.size()) >= targets.max_iterations) return StopReason::MaxIterations;
     if (targets.max_seconds && state_.seconds >= *targets.max_seconds) return StopReason::TimeBudget;
     return std::nullopt;
+  }
+
+  bool has_size_aimed_at() const {
+    const std::optional<std::int64_t>& aimed = case_.targets.vertices;
+    return !aimed || has_size(state_.last.mesh.num_vertices(), static_cast<double>(*aimed));
   }
 
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }

@@ -7,6 +7,7 @@
 
 #include "adapt/case_curves.h"
 #include "adapt/case_file_geometry.h"
+#include "adapt/hole_placement.h"
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"
 #include "adapt/shapes.h"
@@ -167,17 +168,25 @@ void add_hole(CaseReading& reading, const Json& hole, const std::string& label, 
   if (path) builder.add_hole(*path);
 }
 
-void add_holes(CaseReading& reading, const Json& holes, const std::string& place, DomainBuilder& builder) {
+/// outline: how many segments, the first ones, go around the domain; 0: unknown.
+void add_holes(CaseReading& reading, const Json& holes, const std::string& place, std::size_t outline,
+               DomainBuilder& builder) {
   int number = 0;
+  std::vector<PlacedHole> placed;
   for (const Json& hole : holes) {
     const std::string pointer = place + "/holes/" + std::to_string(number);
     const std::string name = "hole" + std::to_string(++number);
+    const std::size_t first = builder.domain().segments.size();
     if (hole.is_array()) {
       builder.add_hole(read_ring(hole), name);
     } else {
       add_hole(reading, hole, hole.value("label", name), pointer, builder);
     }
+    const std::size_t last = builder.domain().segments.size();
+    if (last > first) placed.push_back({pointer, first, last, builder.domain().holes.back()});
   }
+  for (const HoleFault& fault : misplaced_holes(builder.domain(), placed, outline))
+    reading.issues.add(placed[fault.hole].pointer, fault.message);
 }
 
 /// "labels": {"old": "new"}.
@@ -213,7 +222,11 @@ std::optional<Shape> read_shape(CaseReading& reading, const Json& shape, const s
   Shape result;
   add_outline(reading, shape, pointer, result);
   if (!reading.issues.clean(pointer)) return std::nullopt;
-  add_holes(reading, shape.value("holes", Json::array()), pointer, result.builder);
+  const bool is_ring = !result.is_from_file && std::ranges::none_of(operations(), [&shape](const auto& operation) {
+    return shape.contains(operation.first);
+  });
+  const std::size_t outline = is_ring ? result.builder.domain().segments.size() : 0;
+  add_holes(reading, shape.value("holes", Json::array()), pointer, outline, result.builder);
   read_labels(reading, shape, pointer, result.builder);
   if (!reading.issues.clean(pointer)) return std::nullopt;
   return result;

@@ -1,7 +1,7 @@
 #include "adapt/given_field.h"
 
-#include "adapt/mesh_walk.h"
 #include "fem/p1.h"
+#include "mesher/mesh_walk.h"
 
 namespace parmesan {
 namespace {

@@ -37,12 +37,19 @@ std::optional<std::string> of_size(const IterationRow& last, std::optional<std::
   const auto got = static_cast<double>(last.vertices);
   if (!aimed) return std::nullopt;
   const auto wanted = static_cast<double>(*aimed);
-  if (std::abs(got - wanted) <= size_tolerance * wanted) return std::nullopt;
+  if (has_size(got, wanted)) return std::nullopt;
   std::string sentence =
       "the mesh has " + std::to_string(last.vertices) + " vertices, not the " + std::to_string(*aimed) + " aimed at";
   const std::string limits = limits_text(last.clipped, got < wanted);
   if (!limits.empty()) sentence += "; limits forbid it: " + limits;
   return sentence;
+}
+
+// Of errors that cannot fall further.
+std::optional<std::string> of_smallest_size(const IterationRow& last, bool limits_bind) {
+  const std::string limits = limits_text(last.clipped, true);
+  if (!limits_bind || limits.empty()) return std::nullopt;
+  return "limits forbid smaller triangles: " + limits;
 }
 
 // Of an exact function that is infinite somewhere inside: its errors are those of the rest.
@@ -72,17 +79,28 @@ std::optional<std::string> of_correction(const IterationRow& last) {
          short_number(last.solve_report->correction_change, 2);
 }
 
+// Of a solution that is one of many.
+std::optional<std::string> of_constants(const IterationRow& last) {
+  const int parts = last.solve_report ? last.solve_report->null_components : 0;
+  if (parts == 0) return std::nullopt;
+  return "the data leave a constant free" + (parts > 1 ? " on each of " + std::to_string(parts) + " parts" : "") +
+         ": the mean of the solution is " + (last.solution_error ? "that of the exact function" : "set to 0");
+}
+
 }  // namespace
 
-std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed) {
+std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed,
+                                          bool limits_bind) {
   std::vector<std::string> warnings;
   const auto add = [&warnings](std::optional<std::string> warning) {
     if (warning) warnings.push_back(std::move(*warning));
   };
   add(of_size(last, aimed));
+  if (!aimed) add(of_smallest_size(last, limits_bind));
   if (!satisfies_metric(last.diagnosis)) {
     for (std::string& sentence : sentences(last.diagnosis)) warnings.push_back(std::move(sentence));
   }
+  add(of_constants(last));
   add(of_nonfinite(last));
   add(of_unresolved(last));
   add(of_correction(last));

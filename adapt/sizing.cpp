@@ -42,7 +42,7 @@ double gain_of_last_pass(std::span<const SizeStep> history) {
 }
 
 // Off the size aimed at by more than users are promised.
-bool is_off(const SizeStep& step, double aim) { return std::abs(step.vertices - aim) > size_tolerance * aim; }
+bool is_off(const SizeStep& step, double aim) { return !has_size(step.vertices, aim); }
 
 // aim: the size that the last rung is to hit, where it is one that is aimed at.
 bool settled(std::span<const SizeStep> history, bool last_rung, std::optional<double> aim) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -31,8 +32,8 @@ struct SizeDecision {
   std::optional<StopReason> stop;
 };
 
-/// A mesh has the size aimed at when its vertices are off by this share of it or less.
-inline constexpr double size_tolerance = 0.03;
+/// Whether a mesh of so many vertices has the size aimed at: to 3 %.
+inline bool has_size(double vertices, double aimed) { return std::abs(vertices - aimed) <= 0.03 * aimed; }
 
 /// Vertices at which an error that falls like vertices^-order reaches the target.
 double predicted_vertices(double vertices, double error, double target, double order);
@@ -47,7 +48,7 @@ double observed_order(std::span<const SizeStep> history);
 /// - a further size is repeated while error * vertices falls by more than 1.5, and once if it rose by
 ///   more than 1.25 against the size before;
 /// - the last size (the one aimed at, or the cap) until a pass gains less than 5 %, at least 3 passes, and the one
-///   aimed at until the mesh has that size to size_tolerance;
+///   aimed at until the mesh has that size (has_size);
 /// - no size more than 8 times, and none grows by more than 4 times, by 2 where the error fell faster
 ///   than order 1.5 or the last pass at the size before gained more than 1.2: there meshes only begin to
 ///   resolve the solution, and fewer vertices may do;

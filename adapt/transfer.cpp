@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "adapt/mesh_walk.h"
 #include "mesher/errors.h"
+#include "mesher/mesh_walk.h"
 
 namespace parmesan {
 

@@ -13,11 +13,13 @@ namespace parmesan {
 ///     u - u_h = (u - I u) + (I u - u_h).
 ///
 /// Recovered gradients give the first part as a quadratic on each triangle, and nodal_correction.h the second. The
-/// gradients are then recovered from the corrected values, and these corrected once more; of the two results the larger
-/// ones are returned. h1 is that of recovered gradients alone: to it the second part adds little.
+/// gradients are then recovered from the corrected values, and these corrected once more, up to four times while the
+/// estimate grows by 5 %; the largest results are returned. h1 is that of recovered gradients alone: to it the second
+/// part adds little.
 ///
 /// Asymptotically exact where the gradients are. Around singular vertices solutions on refined patches take their
-/// place. l2 and linf are NaN where the second part is not found. Errors and cost: two steps of nodal_correction.h.
+/// place. l2 and linf are NaN where the second part is not found. Errors and cost: two to four steps of
+/// nodal_correction.h.
 EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double> values);
 
 }  // namespace parmesan

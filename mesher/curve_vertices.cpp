@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <map>
+#include <sstream>
 #include <utility>
 
 #include "mesher/errors.h"
@@ -27,6 +30,22 @@ Point middle_of_arc(const Domain& domain, const Segment& segment, const Point& a
   const auto [low, high] = std::minmax({parameter_on(domain, segment, a), parameter_on(domain, segment, b)});
   const double t = parameter_on(domain, segment, midpoint(a, b));
   return point_on(domain, segment, t > low && t < high ? t : 0.5 * (low + high));
+}
+
+std::array<int, 2> ends_in_order(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+// How far the edges on curves are from these, by their ends.
+std::map<std::array<int, 2>, double> deviations_from_curves(const Mesh& mesh, const Domain& domain) {
+  std::map<std::array<int, 2>, double> deviations;
+  for (int e = 0; e < mesh.num_edges(); ++e) {
+    const Segment& segment = segment_of(mesh, domain, e);
+    if (segment.is_straight()) continue;
+    const auto& [a, b] = mesh.edges[at(e)];
+    const auto [from, to] = std::minmax(
+        {parameter_on(domain, segment, mesh.points[at(a)]), parameter_on(domain, segment, mesh.points[at(b)])});
+    deviations[ends_in_order(a, b)] = domain.curves[at(segment.curve)].deviation(from, to);
+  }
+  return deviations;
 }
 
 // Pairs of edges between the same two vertices.
@@ -77,6 +96,35 @@ std::optional<Mesh> put_on_curves(Mesh mesh, const Domain& domain) {
   };
   if (has_moved && !std::all_of(mesh.triangles.begin(), mesh.triangles.end(), is_positive)) return std::nullopt;
   return mesh;
+}
+
+std::optional<std::string> distant_chords(const Mesh& mesh, const Domain& domain) {
+  constexpr double much = 0.5;
+  const std::map<std::array<int, 2>, double> deviations = deviations_from_curves(mesh, domain);
+  if (deviations.empty()) return std::nullopt;
+  int count = 0;
+  double worst = much;  // over the height
+  Point place;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto found = deviations.find(ends_in_order(t[k], t[(k + 1) % 3]));
+      if (found == deviations.end()) continue;
+      const Point &a = mesh.points[at(t[k])], &b = mesh.points[at(t[(k + 1) % 3])];
+      const double ratio = found->second * norm(b - a) / doubled_area(a, b, mesh.points[at(t[(k + 2) % 3])]);
+      if (ratio <= much) continue;
+      ++count;
+      if (ratio > worst) place = midpoint(a, b);
+      worst = std::max(worst, ratio);
+    }
+  }
+  if (count == 0) return std::nullopt;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  text << count << (count > 1 ? " edges are" : " edge is") << " far from the curve, the worst by " << worst
+       << " of the height of the triangle beside it, near (" << place.x << ", " << place.y
+       << "): the mesh is not as thin as the domain there; smaller sizes help";
+  return text.str();
 }
 
 void require_no_crossings(const Mesh& mesh, const Domain& domain) {

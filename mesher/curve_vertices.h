@@ -19,6 +19,10 @@ std::vector<EdgeMiddle> middles_on_curves(const Mesh& mesh, const Domain& domain
 /// nothing if that turns a triangle over. Labels as above. Cost: O(n).
 std::optional<Mesh> put_on_curves(Mesh mesh, const Domain& domain);
 
+/// What is to be said of edges that are farther from their curves than half the height of a triangle beside them: the
+/// mesh is not as thin as the domain there. Labels as above. Cost: O(n).
+std::optional<std::string> distant_chords(const Mesh& mesh, const Domain& domain);
+
 /// Errors: MeshingError when edges cross, or lie on one another. On curves they may, where no triangle lies between
 /// them that would turn over. Nothing is looked at in domains without curves. Cost: O(b log b).
 void require_no_crossings(const Mesh& mesh, const Domain& domain);

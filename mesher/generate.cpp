@@ -15,6 +15,7 @@
 #include "mesher/particles/error_descent.h"
 #include "mesher/particles/fast_schedule.h"
 #include "mesher/particles/metric_flips.h"
+#include "mesher/particles/overlooked.h"
 #include "mesher/particles/population.h"
 #include "mesher/particles/previous_mesh.h"
 #include "mesher/triangulation/conversion.h"
@@ -27,6 +28,13 @@ namespace parmesan {
 namespace {
 
 constexpr double coarsest_vertices = 200.0;
+
+// Levels above the last, each with a quarter of the vertices of the next.
+int coarser_levels(double expected) {
+  return std::max(0, static_cast<int>(std::lround(std::log(expected / coarsest_vertices) / std::log(4.0))));
+}
+
+double scale_of(int level) { return std::pow(0.25, level); }
 
 // While a mesh is made, its edges are labelled with the segment they are a part of.
 std::vector<int> segment_numbers(const Domain& domain) {
@@ -86,10 +94,11 @@ Mesh refined(const Mesh& mesh, const Domain& domain) { return refine_red(mesh, m
 // it is refined (uniform, 200 000 vertices: mean quality .985, .978 without, at the same cost). The coarsest has the
 // most rounds, as refinement keeps its density and they cost nothing there. Without momentum: it pays when a later
 // remesh settles what it has stirred up.
-Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mesh& outline, double expected,
-                       FastScheduleOptions effort, const GenerateOptions& options) {
+Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const OverlookedParts& overlooked,
+                       const Mesh& outline, double expected, FastScheduleOptions effort,
+                       const GenerateOptions& options) {
   effort.momentum = options.particles.momentum.value_or(0.0);
-  const int levels = std::max(0, static_cast<int>(std::lround(std::log(expected / coarsest_vertices) / std::log(4.0))));
+  const int levels = coarser_levels(expected);
   const FastScheduleOptions coarse_effort{.rounds = 2,
                                           .sweeps_per_round = 2,
                                           .final_force_sweeps = 0,
@@ -103,8 +112,9 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Mes
   coarsest_effort.rounds = 8;
   Relaxed relaxed{.mesh = outline, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
+    const double scale = scale_of(level);
+    if (level == 1 && level < levels) relaxed.mesh = overlooked.with_sites(relaxed.mesh, scale);
     ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field);
-    const double scale = std::pow(0.25, level);
     if (level == levels) {
       particles.set_level({scale, true});
       run_fast_schedule(particles, coarse_effort);
@@ -186,21 +196,32 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   const bool from_scratch = choice.start == Start::Scratch;
   Mesh start = from_scratch ? to_mesh(triangulate(outline.domain), outline.segments).mesh : std::move(*fit);
   start.required = required_parts(start, domain);
-  const double expected =
-      from_scratch ? expected_vertices(integrate_complexity(start, field)) : choice.expected_vertices;
+  std::optional<OverlookedParts> overlooked;
+  double expected = choice.expected_vertices;
+  bool sees_all = true;
+  if (from_scratch) {
+    constexpr double much_more = 1.1;
+    overlooked.emplace(field, domain);
+    const double seen = integrate_complexity(start, field), held = overlooked->complexity_within(start);
+    expected = expected_vertices(std::max(seen, held));
+    sees_all = held <= much_more * seen;
+  }
   check_size(expected, options.max_vertices);
 
+  if (!sees_all) start = overlooked->with_sites(start, scale_of(coarser_levels(expected)));
   for (int i = 0; i < choice.refinements; ++i) start = refined(start, domain);
   Relaxed relaxed;
   if (by_thesis)
     relaxed = mesh_by_thesis(domain, field, start, options, result.report);
   else if (from_scratch)
-    relaxed = mesh_in_levels(domain, field, start, expected, effort, options);
+    relaxed = mesh_in_levels(domain, field, *overlooked, start, expected, effort, options);
   else
     relaxed = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options);
   result.report.start = choice.start;
   result.report.start_reason = std::move(choice.reason);
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);
+  if (std::optional<std::string> chords = distant_chords(relaxed.mesh, domain))
+    result.report.warnings.push_back(std::move(*chords));
   OpenedMesh opened = with_user_labels(std::move(relaxed.mesh), domain);
   result.metrics = metrics_of(opened, relaxed.metrics);
   result.mesh = std::move(opened.mesh);

@@ -127,18 +127,18 @@ struct Joined {
   std::vector<int> of_kept;
 };
 
-/// The vertices at the ends of a label's edges, by their place.
-std::map<std::pair<double, double>, int> ends_of(const Mesh& mesh, int label) {
+/// The vertices at the ends of edges, by their place.
+std::map<std::pair<double, double>, int> ends_of_edges(const Mesh& mesh) {
   std::map<std::pair<double, double>, int> ends;
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
-    if (mesh.labels[e] == label)
-      for (const int v : mesh.edges[e]) ends[{mesh.points[at(v)].x, mesh.points[at(v)].y}] = v;
+  for (const auto& edge : mesh.edges)
+    for (const int v : edge) ends[{mesh.points[at(v)].x, mesh.points[at(v)].y}] = v;
   return ends;
 }
 
-/// The vertices of kept in the joined mesh, those along the seam being vertices of the rest; adds the others.
+/// The vertices of kept in the joined mesh, those along the seam, or where the halves touch in a point, being vertices
+/// of the rest; adds the others.
 std::vector<int> add_kept_vertices(const Halves& halves, Mesh& joined, const Mesh& rest) {
-  const auto at_place = ends_of(rest, halves.cut_label);
+  const auto at_place = ends_of_edges(rest);
   std::vector<int> numbers(halves.kept.mesh.points.size(), -1);
   for (const auto& side : halves.seam) {
     for (const int v : side) {
@@ -150,8 +150,10 @@ std::vector<int> add_kept_vertices(const Halves& halves, Mesh& joined, const Mes
   }
   for (std::size_t v = 0; v < numbers.size(); ++v) {
     if (numbers[v] >= 0) continue;
-    numbers[v] = joined.num_vertices();
-    joined.points.push_back(halves.kept.mesh.points[v]);
+    const Point& p = halves.kept.mesh.points[v];
+    const auto found = at_place.find({p.x, p.y});
+    numbers[v] = found != at_place.end() ? found->second : joined.num_vertices();
+    if (found == at_place.end()) joined.points.push_back(p);
   }
   return numbers;
 }

@@ -65,6 +65,13 @@ Vector Curve::tangent(double t) const {
   return squared_norm(difference) > 0.0 ? direction(difference) : Vector{1.0, 0.0};
 }
 
+std::vector<double> Curve::sample_parameters() const {
+  std::vector<double> parameters;
+  parameters.reserve(samples_.size());
+  for (const Sample& s : samples_) parameters.push_back(s.t);
+  return parameters;
+}
+
 std::vector<Point> Curve::sample_points() const {
   std::vector<Point> points;
   for (const Sample& s : samples_) points.push_back(s.point);
@@ -143,8 +150,28 @@ double Curve::curvature(double t) const {
 }
 
 double Curve::least_density(double t) const {
+  if (chord_errors_.empty()) return 0.0;
   const std::size_t arc = arc_at(t);
-  return std::sqrt(samples_[arc].deviation / chord_error_) / (samples_[arc].t - samples_[arc - 1].t);
+  return std::sqrt(samples_[arc].deviation / chord_errors_[arc]) / (samples_[arc].t - samples_[arc - 1].t);
+}
+
+double Curve::deviation(double from, double to) const {
+  constexpr int parts = 8;
+  const Point a = at(from);
+  const Point b = at(to);
+  double largest = 0.0;
+  for (int i = 1; i < parts; ++i) {
+    const Point p = at(from + (to - from) * i / parts);
+    largest = std::max(largest, std::abs(cross(b - a, p - a)) / norm(b - a));
+  }
+  return largest;
+}
+
+double Curve::chord_error(double from, double to) const {
+  if (chord_errors_.empty()) return std::numeric_limits<double>::infinity();
+  const auto first = chord_errors_.begin() + static_cast<std::ptrdiff_t>(arc_at(from));
+  const auto last = chord_errors_.begin() + static_cast<std::ptrdiff_t>(arc_at(to)) + 1;
+  return *std::min_element(first, std::max(last, first + 1));
 }
 
 // Gauss-Newton from the chord: quadratic where p is on the curve. It may leave the arc by one to either side.

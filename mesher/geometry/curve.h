@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <span>
@@ -52,9 +53,22 @@ class Curve {
   /// Diagonal of the upright rectangle around the curve.
   double extent() const { return extent_; }
 
-  /// How far edges may be from the curve; none limits them by default.
-  void limit_chord_error(double distance) { chord_error_ = distance; }
-  double chord_error() const { return chord_error_; }
+  /// The parameters of those points, ascending.
+  std::vector<double> sample_parameters() const;
+
+  /// How far edges may be from the curve; nothing limits them by default.
+  void limit_chord_error(double distance) { chord_errors_.assign(samples_.size(), distance); }
+
+  /// The same for edges that reach between two samples, if it is less than what was allowed there.
+  void lower_chord_error(std::size_t arc, double distance) {
+    chord_errors_[arc] = std::min(chord_errors_[arc], distance);
+  }
+
+  /// The largest distance of the arc between two parameters from its chord, at seven points.
+  double deviation(double from, double to) const;
+
+  /// How far an edge between two parameters may be.
+  double chord_error(double from, double to) const;
 
   /// How many edges per parameter the chord error needs near t: an arc that is s away from its chord takes
   /// sqrt(s / limit).
@@ -84,7 +98,7 @@ class Curve {
   std::vector<Sample> samples_;
   std::vector<double> kinks_;
   double extent_ = 0.0;
-  double chord_error_ = std::numeric_limits<double>::infinity();
+  std::vector<double> chord_errors_;  // of the arc that ends at each sample; empty: no limit
 };
 
 /// An arc of the ellipse with the given half axes, the first of them turned by rotation against the x axis, from one

@@ -71,7 +71,8 @@ struct CleanDomain {
 };
 
 /// Makes a domain fit for triangulation: merges duplicate points, and those nearer than the domain's merge tolerance
-/// into the first of them (ends of curves, which cannot move, before others), drops repeated and zero-length
+/// into the first of them (ends of curves, which cannot move, before others; without a tolerance what is an end but for
+/// 16 ulp of the largest coordinate), drops repeated and zero-length
 /// segments (the first keeps its label), splits segments at points that lie exactly on them and at
 /// overlaps. Keeps the order of points and segments. A crack of one segment, which could not open, gets a point in its
 /// middle. Notes free ends, and points that are under 1e-7

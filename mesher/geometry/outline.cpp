@@ -255,46 +255,136 @@ OutlineResult find_outline(const Domain& domain) {
 
 namespace {
 
-/// The distance from a chord of an outline to the nearest segment that does not share an end with it.
+/// Where a chord of an outline begins and ends on its curve.
+struct ChordRange {
+  double from;
+  double to;
+};
+
+ChordRange range_of(const Domain& domain, const Outline& outline, int chord) {
+  const Segment& s = domain.segments[at(outline.segments[at(chord)])];
+  const Segment& c = outline.domain.segments[at(chord)];
+  return {parameter_on(domain, s, outline.domain.points[at(c.a)]),
+          parameter_on(domain, s, outline.domain.points[at(c.b)])};
+}
+
+/// The distance from arcs to the nearest other segment: one whose chords share no end with the arc's own chord.
 class Gap {
  public:
-  explicit Gap(const Domain& domain) : domain_(domain), tree_(domain) {}
+  Gap(const Domain& domain, const Outline& outline)
+      : outline_(outline.domain), pieces_(cut(domain, outline)), tree_(pieces_) {}
 
-  double beside(int segment) const {
-    const Segment& s = domain_.segments[at(segment)];
-    return between(s, domain_.points[at(s.a)], domain_.points[at(s.b)], 0);
+  /// Of the part between two parameters of the curve of a chord.
+  double beside(int chord, const Curve& curve, double from, double to) const {
+    return between(outline_.segments[at(chord)], curve, from, to, 0);
   }
+
+  /// How far the pieces that stand for the others may be from these.
+  double uncertainty() const { return uncertainty_; }
 
  private:
-  // Halved until the distance from the middle holds for all of the part.
-  double between(const Segment& s, const Point& a, const Point& b, int depth) const {
-    constexpr int max_depth = 14;
-    const auto is_apart = [&](int other) {
-      const Segment& o = domain_.segments[at(other)];
-      return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
-    };
-    const Point middle = midpoint(a, b);
-    const double distance = tree_.nearest(middle, is_apart).distance;
-    if (depth == max_depth || norm(b - a) <= distance) return distance;
-    return std::min(between(s, a, middle, depth + 1), between(s, middle, b, depth + 1));
+  /// The chords cut in short pieces along their curves. Their labels are their chords.
+  Domain cut(const Domain& domain, const Outline& outline) {
+    constexpr int most_parts = 64, most_pieces = 200'000;
+    const auto chords = static_cast<int>(outline.segments.size());
+    const int parts = std::clamp(most_pieces / chords, 1, most_parts);
+    Domain pieces;
+    pieces.points = outline_.points;
+    for (int i = 0; i < chords; ++i) {
+      const Segment& chord = outline_.segments[at(i)];
+      const Segment& whole = domain.segments[at(outline.segments[at(i)])];
+      int last = chord.a;
+      if (!whole.is_straight()) {
+        const Curve& curve = domain.curves[at(whole.curve)];
+        const auto [from, to] = range_of(domain, outline, i);
+        uncertainty_ = std::max(uncertainty_, curve.deviation(from, to) / (parts * parts));
+        for (int k = 1; k < parts; ++k) {
+          pieces.points.push_back(curve.at(from + (to - from) * k / parts));
+          const int next = static_cast<int>(pieces.points.size()) - 1;
+          pieces.segments.push_back({last, next, i});
+          last = next;
+        }
+      }
+      pieces.segments.push_back({last, chord.b, i});
+    }
+    return pieces;
   }
 
-  const Domain& domain_;
+  // Halved until the distance from the middle holds for all of the part.
+  double between(const Segment& s, const Curve& curve, double from, double to, int depth) const {
+    constexpr int max_depth = 10;
+    const auto is_apart = [&](int piece) {
+      const Segment& o = outline_.segments[at(pieces_.segments[at(piece)].label)];
+      return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
+    };
+    const double middle = 0.5 * (from + to);
+    const double distance = tree_.nearest(curve.at(middle), is_apart).distance;
+    if (depth == max_depth || norm(curve.at(to) - curve.at(from)) <= distance) return distance;
+    return std::min(between(s, curve, from, middle, depth + 1), between(s, curve, middle, to, depth + 1));
+  }
+
+  const Domain& outline_;
+  double uncertainty_ = 0.0;
+  Domain pieces_;
   SegmentTree tree_;
 };
 
+/// The distance from a chord to the nearest one that shares no end with it.
+double chord_gap(const Domain& outline, const SegmentTree& tree, const Segment& s, const Point& a, const Point& b,
+                 int depth) {
+  constexpr int max_depth = 14;
+  const auto is_apart = [&](int other) {
+    const Segment& o = outline.segments[at(other)];
+    return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
+  };
+  const Point middle = midpoint(a, b);
+  const double distance = tree.nearest(middle, is_apart).distance;
+  if (depth == max_depth || norm(b - a) <= distance) return distance;
+  return std::min(chord_gap(outline, tree, s, a, middle, depth + 1), chord_gap(outline, tree, s, middle, b, depth + 1));
+}
+
+/// The least gap of the chords of each curve, which hold apart wherever they stand for their arcs.
+std::vector<double> least_gaps(const Domain& domain, const Outline& outline) {
+  const SegmentTree tree(outline.domain);
+  std::vector<double> least(domain.curves.size(), HUGE_VAL);
+  for (int i = 0; i < static_cast<int>(outline.segments.size()); ++i) {
+    const Segment& whole = domain.segments[at(outline.segments[at(i)])];
+    if (whole.is_straight()) continue;
+    const Segment& s = outline.domain.segments[at(i)];
+    const Point &a = outline.domain.points[at(s.a)], &b = outline.domain.points[at(s.b)];
+    least[at(whole.curve)] = std::min(least[at(whole.curve)], chord_gap(outline.domain, tree, s, a, b, 0));
+  }
+  return least;
+}
+
 }  // namespace
 
-void limit_chord_errors(Domain& domain, const Outline& outline, double share) {
+void limit_chord_errors(Domain& domain, const Outline& outline, double share_of_extent) {
   constexpr double share_of_gap = 1.0 / 8.0;
+  constexpr double certain = 4.0;  // times the uncertainty
   if (!has_curves(domain)) return;
-  const Gap gap(outline.domain);
-  for (Curve& curve : domain.curves) curve.limit_chord_error(share * curve.extent());
-  for (std::size_t i = 0; i < outline.segments.size(); ++i) {
-    const Segment& s = domain.segments[at(outline.segments[i])];
+  const Gap gap(domain, outline);
+  const std::vector<double> least = least_gaps(domain, outline);
+  std::vector<std::vector<double>> samples;
+  for (Curve& curve : domain.curves) {
+    curve.limit_chord_error(share_of_extent * curve.extent());
+    samples.push_back(curve.sample_parameters());
+  }
+  for (int i = 0; i < static_cast<int>(outline.segments.size()); ++i) {
+    const Segment& s = domain.segments[at(outline.segments[at(i)])];
     if (s.is_straight()) continue;
     Curve& curve = domain.curves[at(s.curve)];
-    curve.limit_chord_error(std::min(curve.chord_error(), share_of_gap * gap.beside(static_cast<int>(i))));
+    const ChordRange range = range_of(domain, outline, i);
+    const auto [low, high] = std::minmax(range.from, range.to);
+    const std::vector<double>& t = samples[at(s.curve)];
+    const auto first = std::ranges::upper_bound(t.begin() + 1, t.end() - 1, low);
+    for (auto arc = static_cast<std::size_t>(first - t.begin()); arc < t.size() && t[arc - 1] < high; ++arc) {
+      const double from = std::max(low, t[arc - 1]), to = std::min(high, t[arc]);
+      if (!(from < to)) continue;
+      const double there = gap.beside(i, curve, from, to);
+      const bool is_certain = there > certain * gap.uncertainty();
+      curve.lower_chord_error(arc, share_of_gap * (is_certain ? there : least[at(s.curve)]));
+    }
   }
 }
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -21,15 +23,20 @@ class KeptPoints {
  public:
   KeptPoints(const std::vector<Point>& points, double tolerance) : points_(points), tolerance_(tolerance) {}
 
-  /// The first kept point nearer to the point than the tolerance; keeps the point itself where there is none.
-  int find_or_keep(int i) {
+  /// The first kept point nearer to the point than the tolerance, or itself where there is none.
+  int find(int i) const {
     const Cell cell = cell_of(i);
     int first = -1;
     for (const double x : {cell.first - 1.0, cell.first, cell.first + 1.0})
       for (const double y : {cell.second - 1.0, cell.second, cell.second + 1.0}) look_into({x, y}, i, first);
-    if (first >= 0) return first;
-    cells_[cell].push_back(i);
-    return i;
+    return first >= 0 ? first : i;
+  }
+
+  /// The same, and keeps the point itself.
+  int find_or_keep(int i) {
+    const int first = find(i);
+    if (first == i) cells_[cell_of(i)].push_back(i);
+    return first;
   }
 
  private:
@@ -52,16 +59,42 @@ class KeptPoints {
   std::map<Cell, std::vector<int>> cells_;
 };
 
+std::vector<bool> curve_ends(const Domain& domain) {
+  std::vector<bool> result(domain.points.size(), false);
+  for (const Segment& s : domain.segments)
+    if (!s.is_straight()) result[static_cast<std::size_t>(s.a)] = result[static_cast<std::size_t>(s.b)] = true;
+  return result;
+}
+
 /// For each point the one that it becomes by the domain's tolerance; points that are kept are as far apart as that.
 std::vector<int> first_within(const Domain& domain) {
-  std::vector<bool> ends_curve(domain.points.size(), false);
-  for (const Segment& s : domain.segments)
-    if (!s.is_straight()) ends_curve[static_cast<std::size_t>(s.a)] = ends_curve[static_cast<std::size_t>(s.b)] = true;
+  const std::vector<bool> ends_curve = curve_ends(domain);
   KeptPoints kept(domain.points, domain.merge_tolerance);
   std::vector<int> result(domain.points.size());
   for (const bool of_curve : {true, false})
     for (std::size_t i = 0; i < result.size(); ++i)
       if (ends_curve[i] == of_curve) result[i] = kept.find_or_keep(static_cast<int>(i));
+  return result;
+}
+
+/// For each point an equal one, or the end of a curve that it is to rounding: these were computed.
+std::vector<int> first_but_for_rounding(const Domain& domain) {
+  std::vector<int> result = first_equals(domain.points);
+  const std::vector<bool> ends_curve = curve_ends(domain);
+  double largest = 0.0;
+  for (const Point& p : domain.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double tolerance = rounding_in_ulps * largest * std::numeric_limits<double>::epsilon();
+  if (std::ranges::find(ends_curve, true) == ends_curve.end() || !(tolerance > 0.0)) return result;
+  std::vector<bool> stands_for_end(result.size(), false);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (ends_curve[i]) stands_for_end[static_cast<std::size_t>(result[i])] = true;
+  KeptPoints kept(domain.points, tolerance);
+  std::vector<int> near = result;
+  for (const bool of_curve : {true, false})
+    for (int i = 0; i < static_cast<int>(result.size()); ++i)
+      if (result[static_cast<std::size_t>(i)] == i && stands_for_end[static_cast<std::size_t>(i)] == of_curve)
+        near[static_cast<std::size_t>(i)] = of_curve ? kept.find_or_keep(i) : kept.find(i);
+  for (int& first : result) first = near[static_cast<std::size_t>(first)];
   return result;
 }
 
@@ -72,7 +105,7 @@ DomainRepair merge_points(const Domain& domain) {
   repair.domain.points.clear();
   repair.domain.merge_tolerance = 0.0;
   const bool by_tolerance = domain.merge_tolerance > 0.0;
-  const std::vector<int> first = by_tolerance ? first_within(domain) : first_equals(domain.points);
+  const std::vector<int> first = by_tolerance ? first_within(domain) : first_but_for_rounding(domain);
   std::vector<int> renumbered(domain.points.size());
   std::vector<std::string> merged;
   for (std::size_t i = 0; i < domain.points.size(); ++i) {

@@ -19,7 +19,6 @@ constexpr double max_coordinate = 1e75;
 constexpr double min_diameter = 1e-75;
 
 constexpr double close_share_of_diameter = 1e-7;
-constexpr double close_in_ulps = 16.0;
 
 void check_coordinates(const Point& p, const std::string& what, int index) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
@@ -144,7 +143,7 @@ void require_seeds_off_points(const DomainRepair& repair) {
 
 DomainRepair note_close_points(DomainRepair repair) {
   const auto [diameter, largest] = extent_of(repair.domain.points);
-  const double ulps = close_in_ulps * largest * std::numeric_limits<double>::epsilon();
+  const double ulps = rounding_in_ulps * largest * std::numeric_limits<double>::epsilon();
   const ClosestPair pair = closest_pair(repair.domain.points);
   if (pair.distance >= close_share_of_diameter * diameter && pair.distance >= ulps) return repair;
   std::string message = "kept points " + text(repair.source_point(pair.first)) + " and " +

@@ -47,9 +47,31 @@ std::vector<SymmetricTensor> interpolated_tensors(const Mesh& mesh, std::span<co
 BackgroundMesh::BackgroundMesh(const Mesh& mesh, std::span<const Metric> metrics, MetricInterpolation interpolation)
     : tensors_(mesh, interpolated_tensors(mesh, metrics, interpolation)), interpolation_(interpolation) {}
 
-Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const {
-  const SymmetricTensor t = tensors_.at(p, hint);
-  return interpolation_ == MetricInterpolation::LogEuclidean ? Metric::from_log(t) : Metric::from_tensor(t);
+Metric BackgroundMesh::metric_of(const SymmetricTensor& tensor) const {
+  return interpolation_ == MetricInterpolation::LogEuclidean ? Metric::from_log(tensor) : Metric::from_tensor(tensor);
+}
+
+Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const { return metric_of(tensors_.at(p, hint)); }
+
+std::vector<FieldSample> BackgroundMesh::samples() const {
+  const std::span<const TensorInterpolant::Vertex> vertices = tensors_.vertices();
+  std::vector<FieldSample> samples;
+  std::vector<double> density;
+  samples.reserve(vertices.size());
+  density.reserve(vertices.size());
+  for (const TensorInterpolant::Vertex& vertex : vertices) {
+    samples.push_back({vertex.point, 0.0});
+    density.push_back(metric_of(vertex.tensor).density());
+  }
+  for (const TensorInterpolant::Triangle& triangle : tensors_.triangles()) {
+    const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(triangle.corners[k]); };
+    const std::size_t a = corner(0), b = corner(1), c = corner(2);
+    const SymmetricTensor mean = (1.0 / 3.0) * (vertices[a].tensor + vertices[b].tensor + vertices[c].tensor);
+    const double area = 0.5 * doubled_area(vertices[a].point, vertices[b].point, vertices[c].point);
+    const double share = area * metric_of(mean).density() / (density[a] + density[b] + density[c]);
+    for (const std::size_t v : {a, b, c}) samples[v].complexity += share * density[v];
+  }
+  return samples;
 }
 
 }  // namespace parmesan

@@ -25,7 +25,13 @@ class BackgroundMesh final : public MetricField {
   using MetricField::at;
   Metric at(const Point& p, MetricHint& hint) const override;
 
+  /// The vertices. A triangle's complexity, taken with the density at its center, is shared by its corners as their
+  /// densities are.
+  std::vector<FieldSample> samples() const override;
+
  private:
+  Metric metric_of(const SymmetricTensor& tensor) const;
+
   TensorInterpolant tensors_;  // log M or M
   MetricInterpolation interpolation_;
 };

@@ -18,6 +18,7 @@ class BoundaryAlignedField final : public MetricField {
   BoundaryAlignedField(const MetricField& field, const Domain& domain, double reach);
   using MetricField::at;
   Metric at(const Point& p, MetricHint& hint) const override;
+  std::vector<FieldSample> samples() const override { return field_.samples(); }
 
  private:
   const MetricField& field_;

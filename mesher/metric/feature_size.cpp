@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/segment_tree.h"
+#include "mesher/mesh_sides.h"
 #include "mesher/metric/gradation.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/delaunay.h"
@@ -22,30 +24,36 @@ void require(bool holds, const char* what) {
 }
 
 /// Places with the sizes wanted there.
+struct SizedPlaces {
+  std::vector<Point> points;
+  std::vector<double> sizes;
+
+  void add(const Point& p, double size) {
+    points.push_back(p);
+    sizes.push_back(size);
+  }
+};
+
+/// Samples the features of a domain.
 class Sampler {
  public:
   Sampler(const Domain& domain, double fraction, double h_max);
   void sample_points();
   void sample_segments();
-  const std::vector<Point>& points() const { return points_; }
-  const std::vector<double>& sizes() const { return sizes_; }
+  SizedPlaces take() { return std::move(places_); }
 
  private:
   double nearest_isolated(const Point& p) const;
   double feature_size_on(int segment, const Point& p) const;
   void sample(int segment, double from, double to, int depth);
-  void add(const Point& p, double feature_size) {
-    points_.push_back(p);
-    sizes_.push_back(std::min(fraction_ * feature_size, h_max_));
-  }
+  void add(const Point& p, double feature_size) { places_.add(p, std::min(fraction_ * feature_size, h_max_)); }
 
   const Domain& domain_;
   SegmentTree segments_;
   double fraction_;
   double h_max_;
   std::vector<Point> isolated_;
-  std::vector<Point> points_;
-  std::vector<double> sizes_;
+  SizedPlaces places_;
 };
 
 Sampler::Sampler(const Domain& domain, double fraction, double h_max)
@@ -105,6 +113,46 @@ void Sampler::sample_segments() {
     if (std::isfinite(at_end[i])) add(domain_.points[i], at_end[i]);
 }
 
+/// Places on the edges of a mesh between vertices whose sizes differ by much. Sizes grow linearly away from a feature,
+/// but what is interpolated between h and H is sqrt(h H) half-way, far less.
+SizedPlaces places_between(const Mesh& mesh, const std::vector<double>& sizes, double growth) {
+  constexpr double much = 2.5, step = 2.0, alike = 1.4;
+  const double slope = std::log(growth);
+  SizedPlaces places;
+  for (const MeshSide& side : sides_of(mesh)) {
+    const bool rises = sizes[at(side.low)] < sizes[at(side.high)];
+    const int from = rises ? side.low : side.high;
+    const int to = rises ? side.high : side.low;
+    const double small = sizes[at(from)], large = sizes[at(to)];
+    if (large <= much * small) continue;
+    const Point& a = mesh.points[at(from)];
+    const Vector along = mesh.points[at(to)] - a;
+    const double length = norm(along);
+    const auto add = [&](double size, double largest_share) {
+      const double share = (size - small) / (slope * length);
+      if (share < largest_share) places.add(a + share * along, size);
+    };
+    for (double size = step * small; alike * size < large; size *= step) add(size, 0.9);
+    add(large, 0.8);
+  }
+  return places;
+}
+
+BackgroundMesh graded(SizedPlaces places, double growth) {
+  constexpr int most_passes = 20;
+  for (int pass = 1;; ++pass) {
+    const ConvertedMesh converted = to_mesh(delaunay(places.points).triangulation, {});
+    std::vector<Metric> metrics;
+    for (const VertexId v : converted.slots) metrics.push_back(Metric::isotropic(places.sizes[at(v)]));
+    metrics = limit_gradation(converted.mesh, metrics, growth).metrics;
+    std::vector<double> sizes;
+    for (const Metric& m : metrics) sizes.push_back(1.0 / std::sqrt(m.tensor().xx));
+    const SizedPlaces between = places_between(converted.mesh, sizes, growth);
+    if (between.points.empty() || pass == most_passes) return {converted.mesh, metrics};
+    for (std::size_t i = 0; i < between.points.size(); ++i) places.add(between.points[i], between.sizes[i]);
+  }
+}
+
 }  // namespace
 
 BackgroundMesh feature_size_field(const Domain& user_domain, const FeatureSizeOptions& options) {
@@ -116,10 +164,7 @@ BackgroundMesh feature_size_field(const Domain& user_domain, const FeatureSizeOp
                   options.h_max > 0.0 ? options.h_max : 0.1 * bounding_diagonal(domain.points));
   sampler.sample_segments();
   sampler.sample_points();
-  const ConvertedMesh converted = to_mesh(delaunay(sampler.points()).triangulation, {});
-  std::vector<Metric> metrics;
-  for (const VertexId v : converted.slots) metrics.push_back(Metric::isotropic(sampler.sizes()[at(v)]));
-  return BackgroundMesh(converted.mesh, limit_gradation(converted.mesh, metrics, options.growth).metrics);
+  return graded(sampler.take(), options.growth);
 }
 
 }  // namespace parmesan

@@ -17,8 +17,9 @@ struct FeatureSizeOptions {
 /// On a segment the local feature size is the distance to the nearest segment that has no common end with it, or to the
 /// nearest point that no segment ends at, and not more than its length; at such a point, that to the nearest segment or
 /// other point (Ruppert, J. Algorithms 18, 1995, restricted to the domain's features). Segments are sampled as finely
-/// as it asks for; the samples are triangulated, and the growth of the sizes is limited. Errors: those of clean();
-/// InputError for options out of range. Cost: O(n log n) for n samples, but for isolated points.
+/// as it asks for; the samples are triangulated, the growth of the sizes is limited, and places are added between
+/// samples so that what is interpolated grows as fast. Errors: those of clean(); InputError for options out of range.
+/// Cost: O(n log n) for n samples, but for isolated points.
 BackgroundMesh feature_size_field(const Domain& domain, const FeatureSizeOptions& options = {});
 
 }  // namespace parmesan

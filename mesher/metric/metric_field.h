@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "mesher/metric/metric.h"
 
@@ -11,6 +12,12 @@ namespace parmesan {
 /// Where a metric look-up ended: the next one nearby starts there. -1: no idea.
 using MetricHint = int;
 
+/// A place where a field is known, and the complexity of the part of the field around it.
+struct FieldSample {
+  Point place;
+  double complexity = 0.0;
+};
+
 /// A metric at every point of the domain: what is asked of the mesher.
 class MetricField {
  public:
@@ -18,6 +25,9 @@ class MetricField {
 
   /// The metric at p. hint is read as the place to start from and updated. Called from several threads at once.
   virtual Metric at(const Point& p, MetricHint& hint) const = 0;
+
+  /// What the field is made of, so that nothing of it is overlooked; none for a formula.
+  virtual std::vector<FieldSample> samples() const { return {}; }
 
   Metric at(const Point& p) const {
     MetricHint hint = -1;

@@ -14,26 +14,15 @@ namespace parmesan {
 /// hint (thesis 5.4).
 ///
 /// Outside of the mesh the nearest triangle found decides, with its barycentric coordinates
-/// clamped. Walks pass cracks; on one, any of its sides may answer. Brings a mesh whose numbering is not local into the
-/// order of memory first, so hints are its own. Cost of a look-up: O(triangles crossed), O(1) with a good hint, O(log
-/// n) expected outside of the mesh.
+/// clamped; where the mesh is convex, the nearest place of its boundary. Walks pass cracks; on one, any of its sides
+/// may answer. Brings a mesh whose numbering is not local into the order of memory first, so hints are its own. Cost of
+/// a look-up: O(triangles crossed), O(1) with a good hint, O(log n) expected outside of the mesh.
 class TensorInterpolant final : public TensorField {
  public:
   /// tensors: one per vertex of the mesh. Errors: InputError when the counts differ.
   TensorInterpolant(const Mesh& mesh, std::span<const SymmetricTensor> tensors);
 
   SymmetricTensor at(const Point& p, MetricHint& hint) const override;
-
- private:
-  void build(const Mesh& mesh, std::span<const SymmetricTensor> tensors);
-
-  struct Location {
-    int triangle = -1;
-    std::array<double, 3> weights{};
-  };
-  int near(const Point& p) const;
-  Location locate(const Point& p, int start) const;
-  Location locate_nearest(const Point& p) const;
 
   struct Vertex {
     Point point;
@@ -43,11 +32,36 @@ class TensorInterpolant final : public TensorField {
     std::array<int, 3> corners;
     std::array<int, 3> neighbors;  // across the edge opposite to each corner, -1 at the boundary
   };
+  std::span<const Vertex> vertices() const { return vertices_; }
+  std::span<const Triangle> triangles() const { return triangles_; }
+
+ private:
+  void build(const Mesh& mesh, std::span<const SymmetricTensor> tensors);
+
+  struct Location {
+    int triangle = -1;
+    std::array<double, 3> weights{};
+    bool is_beyond = false;  // the walk ended at the boundary
+  };
+  /// A side of the boundary.
+  struct HullSide {
+    int triangle;
+    std::size_t opposite;  // corner
+  };
+  int near(const Point& p) const;
+  Location locate(const Point& p, int start) const;
+  Location locate_nearest(const Point& p) const;
+  Location nearest_on_hull(const Point& p) const;
+  void build_hull();
+  std::array<int, 2> ends(const HullSide& side) const;
+
   const Vertex& vertex(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
 
   std::vector<Vertex> vertices_;
   std::vector<Triangle> triangles_;
-  BoxTree boxes_;  // around the triangles
+  BoxTree boxes_;               // around the triangles
+  std::vector<HullSide> hull_;  // the boundary of a convex mesh, else empty
+  BoxTree hull_boxes_;
 };
 
 }  // namespace parmesan

@@ -110,8 +110,10 @@ int wanted_edges(const Segment& segment, const SegmentMeasure& measure) {
   return segment.required ? 1 : measure.num_edges();
 }
 
-SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint) {
+SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint,
+                               std::span<const KnownDensity> known) {
   constexpr int first_intervals = 32;
+  constexpr double far_finer = 4.0;
   constexpr double max_length = 0.25;
   constexpr double max_curvature = 0.01;  // of the density, relative to its mean
   constexpr double smallest = 1e-12;
@@ -129,11 +131,18 @@ SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& s
     double from, to, density_from, density_to;
   };
   std::vector<Interval> stack;
-  double last = density(1.0);
+  KnownDensity last{1.0, density(1.0)};
   for (int i = first_intervals; i-- > 0;) {
-    const double first = density(static_cast<double>(i) / first_intervals);
-    stack.push_back(
-        {static_cast<double>(i) / first_intervals, static_cast<double>(i + 1) / first_intervals, first, last});
+    const double t = static_cast<double>(i) / first_intervals;
+    const KnownDensity first{t, density(t)};
+    const double fine = far_finer * std::max(first.density, last.density);
+    for (; !known.empty() && known.back().parameter > t; known = known.first(known.size() - 1)) {
+      const KnownDensity& inner = known.back();
+      if (!(inner.density > fine) || inner.parameter >= last.parameter) continue;
+      stack.push_back({inner.parameter, last.parameter, inner.density, last.density});
+      last = inner;
+    }
+    stack.push_back({first.parameter, last.parameter, first.density, last.density});
     last = first;
   }
   parameters_.push_back(0.0);
@@ -180,10 +189,15 @@ double SegmentMeasure::parameter_at(double s) const { return interpolate(coordin
 
 Boundary::Boundary(const ParticleSystem& particles) : measures_(particles.domain().segments.size()) {
   const std::vector<ChainEdge> all = chains(particles);
-  for_each_chain(all, [&](std::size_t, std::size_t last) {
-    const auto& [segment, from, to, edge] = all[last - 1];
-    measures_[at(segment)].emplace_back(particles, particles.domain().segments[at(segment)],
-                                        particles.hint(particles.mesh().dest(edge)));
+  for_each_chain(all, [&](std::size_t first, std::size_t last) {
+    const Segment& segment = particles.domain().segments[at(all[first].segment)];
+    std::vector<KnownDensity> known;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const Metric& m = particles.metric(particles.mesh().org(all[i].edge));
+      known.push_back({all[i].from, m.length(derivative_on(particles.domain(), segment, all[i].from))});
+    }
+    const MetricHint hint = particles.hint(particles.mesh().dest(all[last - 1].edge));
+    measures_[at(all[first].segment)].emplace_back(particles, segment, hint, known);
   });
 }
 
@@ -235,23 +249,6 @@ std::vector<double> Boundary::targets(const ParticleSystem& particles) const {
   return targets;
 }
 
-namespace {
-
-// The largest distance of the arc between two parameters from its chord, at some points.
-double chord_error(const Curve& curve, double from, double to) {
-  constexpr int parts = 8;
-  const Point a = curve.at(from);
-  const Point b = curve.at(to);
-  double largest = 0.0;
-  for (int i = 1; i < parts; ++i) {
-    const Point p = curve.at(from + (to - from) * i / parts);
-    largest = std::max(largest, std::abs(cross(b - a, p - a)) / norm(b - a));
-  }
-  return largest;
-}
-
-}  // namespace
-
 bool may_leave_curve(const ParticleSystem& particles, VertexId v) {
   const Domain& domain = particles.domain();
   const Triangulation& mesh = particles.mesh();
@@ -267,7 +264,7 @@ bool may_leave_curve(const ParticleSystem& particles, VertexId v) {
     to = std::max(to, t);
   });
   const Curve& curve = domain.curves[at(s.curve)];
-  return chord_error(curve, from, to) <= curve.chord_error();
+  return curve.deviation(from, to) <= curve.chord_error(from, to);
 }
 
 int split_distant_chords(ParticleSystem& particles) {
@@ -282,7 +279,7 @@ int split_distant_chords(ParticleSystem& particles) {
       const Segment& s = domain.segments[at(e.segment)];
       if (s.is_straight()) continue;
       const Curve& curve = domain.curves[at(s.curve)];
-      if (chord_error(curve, e.from, e.to) <= curve.chord_error()) continue;
+      if (curve.deviation(e.from, e.to) <= curve.chord_error(e.from, e.to)) continue;
       const Point p = curve.at(0.5 * (e.from + e.to));
       const VertexId v = split_at(particles, e.edge, p, stack);
       if (v == no_vertex) continue;

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesher/particles/particle_system.h"
 
 namespace parmesan {
+
+/// What a particle on a segment knows of the metric there.
+struct KnownDensity {
+  double parameter;
+  double density;  // metric length per parameter
+};
 
 /// Metric arc length along one domain segment, tabulated: s(t) = integral of sqrt(d^T M d), d the derivative by t,
 /// from its first point to parameter t in [0, 1]. Along a curve it grows at least as fast as the number of edges that
@@ -13,8 +20,10 @@ class SegmentMeasure {
  public:
   /// Adaptive quadrature of the field at the level of the particles: intervals are halved until
   /// each is shorter than a quarter of a unit edge and its density nearly linear. The first look-up, at
-  /// the last point of the segment, starts at the hint.
-  SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint = -1);
+  /// the last point of the segment, starts at the hint. known: ascending; intervals end at those where the metric is
+  /// far finer than at the 32 places that are looked at first.
+  SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint = -1,
+                 std::span<const KnownDensity> known = {});
 
   double total() const { return coordinates_.back(); }
 

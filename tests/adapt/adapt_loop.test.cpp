@@ -359,3 +359,33 @@ TEST_CASE("required regions keep the triangles of the first mesh through the loo
   }
   CHECK(meshes.back().points != meshes.front().points);
 }
+
+TEST_CASE("a size that was aimed at and missed is a target missed", "[adapt][loop]") {
+  const int passes = GENERATE(2, 12);
+  const std::string targets = R"({"vertices": 1000, "max_iterations": )" + std::to_string(passes) + "}";
+  const Summary summary = adapt(poisson_case("x^2*y + sin(5*x)", targets), {}).summary;
+  CHECK(summary.targets_met == (passes == 12));
+}
+
+TEST_CASE("where data leave a constant free the exact function's mean is taken", "[adapt][loop]") {
+  const Case input = parse_case(R"case({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+      "problem": {"exact": "cos(pi*x)*cos(pi*y) + x + 5", "boundary": {"*": {"neumann": "exact"}}},
+      "targets": {"l2_error": 1e-2, "max_iterations": 5}, "mesher": {"preset": "fast"}})case",
+                                "test.json");
+  const Summary summary = adapt(input, {}).summary;
+  CHECK(summary.targets_met);
+  const IterationRow& last = summary.iterations.back();
+  CHECK(last.solution_error->l2 == Approx(last.estimated_error->l2).epsilon(0.1));
+  CHECK(last.solve_report->minimum == Approx(4.0).margin(0.1));  // at (0, 1), the exact one
+  CHECK(std::ranges::any_of(summary.warnings,
+                            [](const std::string& w) { return w.starts_with("the data leave a constant free"); }));
+}
+
+TEST_CASE("a smallest size that keeps an error target away is named", "[adapt][loop]") {
+  Case input = poisson_case("x^2*y + sin(5*x)", R"({"l2_error": 1e-5})");
+  input.metric.h_min = 0.2;
+  const Summary summary = adapt(input, {}).summary;
+  CHECK(summary.stop_reason == StopReason::Stagnated);
+  CHECK(std::ranges::any_of(
+      summary.warnings, [](const std::string& w) { return w.starts_with("limits forbid smaller triangles: h_min"); }));
+}

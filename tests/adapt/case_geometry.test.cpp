@@ -11,6 +11,7 @@
 namespace parmesan {
 namespace {
 
+using Catch::Contains;
 using support::issue_text;
 
 std::string with_geometry(const std::string& geometry) {
@@ -271,6 +272,19 @@ TEST_CASE("A case cannot name files elsewhere or that are not files", "[adapt][c
   CHECK_THAT(issue("out.poly", "case/case.json"), Catch::Contains("a link leads out"));
   CHECK_THAT(issue("a\\u0000b", "case.json"), Catch::Contains("beside or below"));
   CHECK(issue("inside/link.poly", "case.json").empty());
+}
+
+TEST_CASE("holes lie apart and inside of the domain", "[adapt][case][errors]") {
+  const std::string square = R"("rectangle": {"min": [-1, -1], "max": [1, 1]}, "holes": )";
+  const std::string disc = R"({"disc": {"radius": 0.5}})";
+  const std::string island = GENERATE(R"([[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]])",
+                                      R"({"disc": {"center": [0.3, 0.1], "radius": 0.1}})");
+  CHECK_THAT(issues_with(square + "[" + disc + ", " + island + "]"), Contains("/geometry/holes/1: lies in or around"));
+  CHECK_THAT(issues_with(square + "[" + island + ", " + disc + "]"), Contains("/geometry/holes/1: lies in or around"));
+  CHECK_THAT(issues_with(square + R"([{"disc": {"center": [1.5, 0], "radius": 0.1}}])"),
+             Contains("/geometry/holes/0: does not lie inside of the domain"));
+  CHECK(domain_of_case(square + "[" + island + R"(, {"disc": {"center": [-0.7, 0], "radius": 0.1}}])").holes.size() ==
+        2);
 }
 
 }  // namespace parmesan

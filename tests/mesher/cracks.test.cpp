@@ -228,6 +228,16 @@ TEST_CASE("a crack alone gets a point in its middle, so that it opens", "[mesher
   check_valid(delaunay_mesh(domain).mesh, domain, 1.0);
 }
 
+TEST_CASE("a crack of one segment opens where another inner segment ends at it", "[mesher][cracks]") {
+  Domain domain = support::unit_square();
+  domain.points.insert(domain.points.end(), {{0.3, 0.5}, {0.5, 0.5}, {0.7, 0.6}});
+  domain.segments.push_back({4, 5, 7});
+  domain.segments.push_back({5, 6, above, below});
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(3.0))).mesh;
+  CHECK(oracle::problems_of(mesh) == std::vector<std::string>{});
+  CHECK(has_cracks(mesh));
+}
+
 TEST_CASE("the next mesh of a domain with cracks starts from the one before", "[mesher][cracks]") {
   const Domain domain = slit_square();
   const ConstantField field(Metric::isotropic(0.1));

@@ -7,8 +7,10 @@
 #include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/quality.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/curved_domains.h"
+#include "tests/support/domains.h"
 #include "tests/support/splines.h"
 #ifdef _OPENMP
 #include <omp.h>
@@ -226,3 +228,46 @@ TEST_CASE("A curved domain has the same mesh for any number of threads", "[meshe
   CHECK(one.triangles == two.triangles);
 }
 #endif
+
+TEST_CASE("ends of curves that are one but for rounding are one", "[mesher][curves]") {
+  Domain domain = support::unit_square();
+  const Curve arc = circular_arc({0.5, 0.5}, 0.3, 0.0, 2.0 * std::numbers::pi);
+  REQUIRE(arc.at(0.0) != arc.at(1.0));
+  domain.points.insert(domain.points.end(), {arc.at(0.0), arc.at(1.0), {0.8, 0.5}, {0.9, 0.5}});
+  domain.curves = {arc};
+  domain.segments.push_back({4, 5, 5, {}, false, 0});
+  domain.segments.push_back({6, 7, 6});
+  const CleanDomain cleaned = clean(domain);
+  CHECK(cleaned.domain.points.size() == 7);  // with the middle of the circle
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(0.05))).mesh;
+  CHECK(oracle::problems_of(mesh) == std::vector<std::string>{});
+  CHECK(measure_quality(mesh).quality_min > 0.3);
+}
+
+TEST_CASE("a narrow gap shortens the edges on curves there, not those elsewhere", "[mesher][curves]") {
+  Domain domain = support::disc(1.0);
+  support::add_closed_curve(domain, support::circle({0.9495, 0.0}, 0.05), 2);
+  domain.holes.push_back({0.9495, 0.0});
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(0.05))).mesh;
+  int far_edges = 0;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if (mesh.labels[e] == 1 && mesh.points[static_cast<std::size_t>(mesh.edges[e][0])].x < 0.0) ++far_edges;
+  CHECK(far_edges == Approx(std::numbers::pi / 0.05).epsilon(0.05));
+}
+
+TEST_CASE("a mesh that is thicker than the domain because of its chords is warned of", "[mesher][curves]") {
+  // A crescent 1e-4 thick. Chords of the inner arc lie outside, and vertices on the outer one are in the way of more.
+  Domain domain;
+  const double inner = 1.0 - 1e-4;
+  domain.points = {{1.0, 0.0}, {-1.0, 0.0}, {-inner, 0.0}, {inner, 0.0}};
+  domain.curves = {circular_arc({0.0, 0.0}, 1.0, 0.0, std::numbers::pi),
+                   circular_arc({0.0, 0.0}, inner, std::numbers::pi, 0.0)};
+  domain.segments = {{0, 1, 1, {}, false, 0}, {1, 2, 2}, {2, 3, 3, {}, false, 1}, {3, 0, 4}};
+  const auto warns = [&domain](double size) {
+    const GenerateResult made = generate(domain, ConstantField(Metric::isotropic(size)));
+    return std::ranges::any_of(made.report.warnings,
+                               [](const std::string& w) { return w.find("not as thin") != std::string::npos; });
+  };
+  CHECK(warns(0.1));
+  CHECK_FALSE(warns(1e-3));
+}

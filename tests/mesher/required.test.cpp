@@ -189,3 +189,16 @@ TEST_CASE("numbers of required parts must be in range", "[mesher][required][erro
   domain.required_points = {4};
   CHECK_THROWS_AS(clean(domain), GeometryError);
 }
+
+TEST_CASE("parts that touch in a point keep it as one vertex when one of them is required", "[mesher][required]") {
+  Mesh mesh;
+  mesh.points = {{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  mesh.triangles = {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}};
+  mesh.regions = {1, 2, 2};
+  mesh.edges = {{0, 1}, {1, 2}, {2, 0}, {2, 3}, {3, 4}, {4, 5}, {5, 2}};
+  mesh.labels = {1, 2, 3, 4, 5, 6, 7};
+  const Mesh around = generate_around(with_required_regions(mesh, {2}), ConstantField(Metric::isotropic(0.5))).mesh;
+  std::set<std::pair<double, double>> places;
+  for (const Point& p : around.points) places.insert({p.x, p.y});
+  CHECK(places.size() == around.points.size());
+}

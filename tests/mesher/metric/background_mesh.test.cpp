@@ -86,6 +86,30 @@ TEST_CASE("outside of the background mesh the nearest place decides", "[mesher][
   CHECK(field.at({0.25, -1e-13}).length({1.0, 0.0}) == Approx(1.0 / 0.35).epsilon(1e-9));
 }
 
+TEST_CASE("outside of a convex mesh the nearest place of the boundary decides", "[mesher][metric]") {
+  const Mesh mesh = grid(8);
+  const BackgroundMesh field(mesh,
+                             sample(mesh, [](const Point& p) { return Metric::isotropic(std::exp(p.x - 2.0 * p.y)); }));
+  std::mt19937_64 engine(11);
+  std::uniform_real_distribution<double> around(-1.0, 2.0);
+  MetricHint hint = -1;
+  for (int i = 0; i < 500; ++i) {
+    const Point p{around(engine), around(engine)};
+    const Point q{std::clamp(p.x, 0.0, 1.0), std::clamp(p.y, 0.0, 1.0)};
+    if (p == q) continue;
+    CHECK(field.at(p, hint).length({1.0, 0.0}) == Approx(std::exp(2.0 * q.y - q.x)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("the samples of a background mesh have all of its complexity", "[mesher][metric]") {
+  const Mesh mesh = grid(64);
+  const BackgroundMesh field(mesh,
+                             sample(mesh, [](const Point& p) { return Metric::isotropic(0.01 * std::exp(p.x)); }));
+  double sum = 0.0;
+  for (const FieldSample& s : field.samples()) sum += s.complexity;
+  CHECK(sum == Approx(5000.0 * (1.0 - std::exp(-2.0))).epsilon(1e-3));
+}
+
 TEST_CASE("a background mesh wants one metric per vertex", "[mesher][metric][errors]") {
   const Mesh mesh = grid(2);
   CHECK_THROWS_AS(BackgroundMesh(mesh, std::vector<Metric>(3)), InputError);

@@ -51,6 +51,19 @@ TEST_CASE("close isolated points get small sizes, and the mesh of such sizes is 
   CHECK(made.mesh.num_vertices() < 3000);
 }
 
+TEST_CASE("a tiny feature takes a few vertices for each factor of two in size", "[mesher][metric]") {
+  std::vector<int> counts;
+  for (const double distance : {1e-2, 1e-4, 1e-6}) {
+    Domain domain = support::unit_square();
+    domain.points.insert(domain.points.end(), {{0.5, 0.5}, {0.5 + distance, 0.5}});
+    const GenerateResult made = generate(domain, feature_size_field(domain));
+    CHECK(measure_quality(made.mesh, made.metrics).quality_min > 0.3);
+    counts.push_back(made.mesh.num_vertices());
+  }
+  CHECK(counts[0] < 300);
+  CHECK(counts[1] - counts[0] == Approx(counts[2] - counts[1]).epsilon(0.25));
+}
+
 TEST_CASE("options out of range are refused", "[mesher][metric][errors]") {
   const Domain domain = support::unit_square();
   CHECK_THROWS_AS(feature_size_field(domain, {.fraction = 0.0}), InputError);

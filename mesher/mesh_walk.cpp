@@ -1,7 +1,6 @@
-#include "adapt/mesh_walk.h"
+#include "mesher/mesh_walk.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
@@ -23,11 +22,23 @@ MeshWalk::MeshWalk(const Mesh& mesh)
     : mesh_(mesh),
       neighbors_(has_cracks(mesh) ? triangle_neighbors(close_cracks(mesh).mesh) : triangle_neighbors(mesh)) {
   if (mesh.triangles.empty()) throw InputError("points cannot be found in a mesh without triangles");
+  boxes_ = BoxTree(mesh.triangles.size(), [&mesh](std::size_t t) {
+    BoxTree::Box box;
+    for (const int v : mesh.triangles[t]) box.add(mesh.points[static_cast<std::size_t>(v)]);
+    return box;
+  });
 }
 
 MeshPlace MeshWalk::locate(const Point& p) {
   if (!walk(p)) here_ = nearest(p);
   return here_;
+}
+
+std::optional<MeshPlace> MeshWalk::find(const Point& p) {
+  if (walk(p)) return here_;
+  const MeshPlace place = nearest(p);
+  here_ = {place.triangle, weights(place.triangle, p)};
+  return *std::ranges::min_element(here_.weights) >= -slack ? std::optional(here_) : std::nullopt;
 }
 
 std::array<double, 3> MeshWalk::weights(std::size_t triangle, const Point& p) const {
@@ -41,7 +52,6 @@ std::array<double, 3> MeshWalk::weights(std::size_t triangle, const Point& p) co
 
 // Leaves through the side that has p farthest behind it; may cycle or end at the boundary.
 bool MeshWalk::walk(const Point& p) {
-  constexpr double slack = 1e-12;
   constexpr int max_steps = 5000;
   for (int step = 0; step < max_steps; ++step) {
     here_.weights = weights(here_.triangle, p);
@@ -54,20 +64,16 @@ bool MeshWalk::walk(const Point& p) {
   return false;
 }
 
+Point MeshWalk::point(const MeshPlace& place) const {
+  Point p;
+  for (std::size_t k = 0; k < 3; ++k)
+    p = p + place.weights[k] * mesh_.points[static_cast<std::size_t>(mesh_.triangles[place.triangle][k])];
+  return p;
+}
+
 MeshPlace MeshWalk::nearest(const Point& p) const {
-  MeshPlace best;
-  double best_distance = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const MeshPlace place{t, clamped(weights(t, p))};
-    Point foot;
-    for (std::size_t k = 0; k < 3; ++k)
-      foot = foot + place.weights[k] * mesh_.points[static_cast<std::size_t>(mesh_.triangles[t][k])];
-    const double distance = squared_norm(foot - p);
-    if (distance >= best_distance) continue;
-    best_distance = distance;
-    best = place;
-  }
-  return best;
+  const auto place = [&](std::size_t t) { return MeshPlace{t, clamped(weights(t, p))}; };
+  return place(boxes_.nearest(p, [&](std::size_t t) { return squared_norm(point(place(t)) - p); }));
 }
 
 }  // namespace parmesan

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "mesher/mesh.h"
+#include "mesher/metric/box_tree.h"
 
 namespace parmesan {
 
@@ -21,16 +23,22 @@ class MeshWalk {
   explicit MeshWalk(const Mesh& mesh);
 
   /// The triangle of the point; of a point outside, the nearest place of the mesh. Cost: O(triangles crossed),
-  /// outside O(n).
+  /// outside O(log n) expected where the mesh is numbered locally.
   MeshPlace locate(const Point& p);
 
+  /// Nothing for a point outside.
+  std::optional<MeshPlace> find(const Point& p);
+
  private:
+  static constexpr double slack = 1e-12;  // in barycentric coordinates
   std::array<double, 3> weights(std::size_t triangle, const Point& p) const;
   bool walk(const Point& p);
   MeshPlace nearest(const Point& p) const;
+  Point point(const MeshPlace& place) const;
 
   const Mesh& mesh_;
   std::vector<std::array<int, 3>> neighbors_;
+  BoxTree boxes_;  // around the triangles
   MeshPlace here_;
 };
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "mesher/geometry/domain.h"
+#include "mesher/metric/metric_field.h"
+
+namespace parmesan {
+
+/// Parts of a field that a mesh made from scratch would not see: thin layers and small spots between the vertices of
+/// a coarse mesh, whose metrics are looked up there only.
+class OverlookedParts {
+ public:
+  /// Both must live as long. Fields without samples have nothing to overlook.
+  OverlookedParts(const MetricField& field, const Domain& domain)
+      : field_(field), domain_(domain), samples_(field.samples()) {}
+
+  /// Of the samples within the mesh. Cost: O(n) for n samples.
+  double complexity_within(const Mesh& mesh) const;
+
+  /// The mesh with some of the samples as sites: in triangles that hold more than twice the complexity that their
+  /// corners and middle tell of, as many as a unit mesh would have there; on straight edges of the domain, those where
+  /// the metric along the edge is far finer than at the sites around. scale: of the metric's tensors on this level, as
+  /// in ParticleSystem::Level. labels: segments of the domain. Cost: O(n) for n samples.
+  Mesh with_sites(const Mesh& mesh, double scale) const;
+
+ private:
+  const MetricField& field_;
+  const Domain& domain_;
+  std::vector<FieldSample> samples_;
+};
+
+}  // namespace parmesan
