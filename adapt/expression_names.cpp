@@ -39,6 +39,8 @@ std::string ExpressionNames::unknown(std::string_view name, bool called) const {
   std::vector<std::string> all = called ? functions : variables;
   const std::vector<std::string>& others = called ? variables : functions;
   all.insert(all.end(), others.begin(), others.end());
+  if (name == "exact")
+    return "unknown name 'exact': boundary data may have it where the problem gives its exact solution";
   const std::string hint = suggestion(name, all);
   return std::string("unknown ") + (called ? "function" : "name") + " '" + std::string(name.substr(0, 60)) + "'" +
          (hint.empty() ? "." : hint) + " Allowed here: " + quoted_list(called ? functions : variables) +

@@ -75,7 +75,7 @@ struct CleanDomain {
 /// 16 ulp of the largest coordinate), drops repeated and zero-length
 /// segments (the first keeps its label), splits segments at points that lie exactly on them and at
 /// overlaps. Keeps the order of points and segments. A crack of one segment, which could not open, gets a point in its
-/// middle. Notes free ends, and points that are under 1e-7
+/// middle. Notes free ends but those of cracks, and points that are under 1e-7
 /// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from 0; points made at crossings
 /// are numbered after them.
 ///

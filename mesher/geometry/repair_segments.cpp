@@ -184,8 +184,12 @@ DomainRepair require_enclosure(DomainRepair repair) {
                             text(repair.source_point(end)) + " " + text(repair.point(end)) + "; close it",
                         {repair.source_point(end)});
   }
+  std::vector<bool> ends_crack(repair.domain.points.size(), false);  // tips are no surprise
+  for (const Segment& s : repair.domain.segments)
+    if (s.label_right) ends_crack[static_cast<std::size_t>(s.a)] = ends_crack[static_cast<std::size_t>(s.b)] = true;
   std::vector<std::string> names;
-  for (const int v : found.points) names.push_back("point " + text(repair.source_point(v)));
+  for (const int v : found.points)
+    if (!ends_crack[static_cast<std::size_t>(v)]) names.push_back("point " + text(repair.source_point(v)));
   repair.note("kept as inner constraints the chains at", "free end", names);
   return repair;
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "mesher/mesh_walk.h"
 #include "mesher/metric/complexity.h"
@@ -147,30 +148,32 @@ std::vector<char> overlooked(const Mesh& mesh, const MetricField& field, const s
 }  // namespace
 
 double OverlookedParts::complexity_within(const Mesh& mesh) const {
-  if (samples_.empty()) return 0.0;
-  const std::vector<std::optional<MeshPlace>> places = places_in(mesh, samples_);
+  const std::vector<FieldSample> samples = field_.samples();
+  if (samples.empty()) return 0.0;
+  const std::vector<std::optional<MeshPlace>> places = places_in(mesh, samples);
   double sum = 0.0;
-  for (std::size_t i = 0; i < samples_.size(); ++i)
-    if (places[i]) sum += samples_[i].complexity;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (places[i]) sum += samples[i].complexity;
   return sum;
 }
 
 Mesh OverlookedParts::with_sites(const Mesh& mesh, double scale) const {
-  if (samples_.empty()) return mesh;
-  const std::vector<std::optional<MeshPlace>> places = places_in(mesh, samples_);
+  const std::vector<FieldSample> samples = field_.samples();
+  if (samples.empty()) return mesh;
+  const std::vector<std::optional<MeshPlace>> places = places_in(mesh, samples);
   std::vector<double> held(mesh.triangles.size(), 0.0);
-  for (std::size_t i = 0; i < samples_.size(); ++i)
-    if (places[i]) held[places[i]->triangle] += samples_[i].complexity;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (places[i]) held[places[i]->triangle] += samples[i].complexity;
   const double cell = 1.0 / (expected_vertices(1.0) * scale);  // complexity of a vertex on this level
   const std::vector<char> is_overlooked = overlooked(mesh, field_, held, cell);
   EdgeSamples on_edges(mesh, domain_, field_);
   std::vector<std::size_t> sites;
   std::vector<double> passed(held.size(), 0.5 * cell);
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (!places[i] || on_edges.take(samples_[i].place, *places[i])) continue;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!places[i] || on_edges.take(samples[i].place, *places[i])) continue;
     const std::size_t t = places[i]->triangle;
     if (!is_overlooked[t]) continue;
-    passed[t] += samples_[i].complexity;
+    passed[t] += samples[i].complexity;
     if (passed[t] < cell) continue;
     passed[t] = std::fmod(passed[t], cell);
     sites.push_back(i);
@@ -179,8 +182,7 @@ Mesh OverlookedParts::with_sites(const Mesh& mesh, double scale) const {
   if (sites.empty() && splits.empty()) return mesh;
   Triangulation t = from_mesh(mesh, mesh.labels);
   on_edges.split(t, splits);
-  for (const std::size_t i : sites)
-    insert_site(t, samples_[i].place, t.edge_of(mesh.triangles[places[i]->triangle][0]));
+  for (const std::size_t i : sites) insert_site(t, samples[i].place, t.edge_of(mesh.triangles[places[i]->triangle][0]));
   std::vector<int> segments(domain_.segments.size());
   std::iota(segments.begin(), segments.end(), 0);
   return to_mesh(t, segments).mesh;

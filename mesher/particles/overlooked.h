@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "mesher/geometry/domain.h"
 #include "mesher/metric/metric_field.h"
 
@@ -12,8 +10,7 @@ namespace parmesan {
 class OverlookedParts {
  public:
   /// Both must live as long. Fields without samples have nothing to overlook.
-  OverlookedParts(const MetricField& field, const Domain& domain)
-      : field_(field), domain_(domain), samples_(field.samples()) {}
+  OverlookedParts(const MetricField& field, const Domain& domain) : field_(field), domain_(domain) {}
 
   /// Of the samples within the mesh. Cost: O(n) for n samples.
   double complexity_within(const Mesh& mesh) const;
@@ -27,7 +24,6 @@ class OverlookedParts {
  private:
   const MetricField& field_;
   const Domain& domain_;
-  std::vector<FieldSample> samples_;
 };
 
 }  // namespace parmesan

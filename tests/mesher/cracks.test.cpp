@@ -228,6 +228,15 @@ TEST_CASE("a crack alone gets a point in its middle, so that it opens", "[mesher
   check_valid(delaunay_mesh(domain).mesh, domain, 1.0);
 }
 
+TEST_CASE("the tips of cracks are no repairs", "[mesher][cracks]") {
+  Domain domain = support::unit_square();
+  domain.points.insert(domain.points.end(), {{0.3, 0.5}, {0.5, 0.5}});
+  domain.segments.push_back({4, 5, above});
+  CHECK(clean(domain).repairs.size() == 1);
+  domain.segments.back().label_right = below;
+  CHECK(clean(domain).repairs.empty());
+}
+
 TEST_CASE("a crack of one segment opens where another inner segment ends at it", "[mesher][cracks]") {
   Domain domain = support::unit_square();
   domain.points.insert(domain.points.end(), {{0.3, 0.5}, {0.5, 0.5}, {0.7, 0.6}});
