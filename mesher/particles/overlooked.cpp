@@ -40,7 +40,7 @@ class EdgeSamples {
     for (int e = 0; e < mesh.num_edges(); ++e) {
       const Segment& segment = domain.segments[at(mesh.labels[at(e)])];
       const auto [a, b] = std::minmax(mesh.edges[at(e)][0], mesh.edges[at(e)][1]);
-      if (segment.is_straight() && !segment.required) edges_[{a, b}] = e;
+      edges_[{a, b}] = segment.is_straight() && !segment.required ? e : stays_whole;
     }
   }
 
@@ -52,7 +52,8 @@ class EdgeSamples {
       const auto& t = mesh_.triangles[place.triangle];
       const auto [a, b] = std::minmax(t[(k + 1) % 3], t[(k + 2) % 3]);
       const auto found = edges_.find({a, b});
-      if (found != edges_.end()) taken_[found->second].push_back(sample(found->second, p));
+      if (found == edges_.end()) continue;
+      if (found->second != stays_whole) taken_[found->second].push_back(sample(found->second, p));
       return true;
     }
     return false;
@@ -83,6 +84,8 @@ class EdgeSamples {
   }
 
  private:
+  static constexpr int stays_whole = -1;
+
   OnEdge sample(int edge, const Point& p) const {
     const Point& a = mesh_.points[at(mesh_.edges[at(edge)][0])];
     const Vector along = mesh_.points[at(mesh_.edges[at(edge)][1])] - a;
