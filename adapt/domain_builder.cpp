@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -15,9 +16,8 @@ namespace {
 Ring ring_along(const Path& path, int n) {
   Ring ring;
   for (const PathPiece& piece : path) {
-    const int parts = piece.curve ? n : 1;
-    for (int i = 0; i < parts; ++i)
-      ring.push_back(i == 0 ? piece.begin : piece.curve->at(static_cast<double>(i) / parts));
+    ring.push_back(piece.begin);
+    if (piece.curve) std::ranges::copy(piece.curve->points_between(0.0, 1.0, n), std::back_inserter(ring));
   }
   return ring;
 }

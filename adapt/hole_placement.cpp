@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "mesher/geometry/even_odd.h"
+#include "mesher/metric/box_tree.h"
 
 namespace parmesan {
 namespace {
@@ -18,37 +19,33 @@ class Rings {
   }
 
   bool encloses(const Point& p) const {
-    if (p.x < low_.x || p.x > high_.x || p.y < low_.y || p.y > high_.y) return false;
+    if (box_.squared_distance(p) > 0.0) return false;
     return std::ranges::count_if(pieces_, [&p](const auto& piece) { return crosses_ray(piece[0], piece[1], p); }) % 2 ==
            1;
   }
-  double left() const { return low_.x; }
-  double right() const { return high_.x; }
+  double left() const { return box_.low.x; }
+  double right() const { return box_.high.x; }
 
  private:
   void add(const Domain& domain, const Segment& segment) {
     constexpr int parts = 512;  // of a curve
     const auto point = [&domain](int v) { return domain.points[static_cast<std::size_t>(v)]; };
     Point from = point(segment.a);
-    for (int i = 1; !segment.is_straight() && i < parts; ++i) {
-      const Point to = domain.curves[static_cast<std::size_t>(segment.curve)].at(static_cast<double>(i) / parts);
-      add(from, to);
-      from = to;
-    }
-    add(from, point(segment.b));
+    std::vector<Point> ends;
+    if (!segment.is_straight())
+      ends = domain.curves[static_cast<std::size_t>(segment.curve)].points_between(0.0, 1.0, parts);
+    ends.push_back(point(segment.b));
+    for (const Point& to : ends) add(std::exchange(from, to), to);
   }
 
   void add(const Point& from, const Point& to) {
     pieces_.push_back({from, to});
-    for (const Point& p : {from, to}) {
-      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
-    }
+    box_.add(from);
+    box_.add(to);
   }
 
   std::vector<std::array<Point, 2>> pieces_;
-  Point low_{HUGE_VAL, HUGE_VAL};
-  Point high_{-HUGE_VAL, -HUGE_VAL};
+  BoxTree::Box box_;
 };
 
 }  // namespace

@@ -81,8 +81,10 @@ void interpolate_on(const Case& input, Iterate& iterate) {
 void take_means_of_exact(const Case& input, const DiscreteProblem& discrete, Iterate& iterate) {
   if (discrete.null_space.components.empty() || !input.exact) return;
   const Expression& exact = *input.exact;
-  const Functional integrals =
-      region_integral(discrete.mesh, [&exact](const Point& p, int) { return -exact.value(p); });
+  const Functional integrals = region_integral(discrete.mesh, [&exact](const Point& p, int) {
+    const double value = exact.value(p);
+    return std::isfinite(value) ? -value : 0.0;
+  });
   const Eigen::Map<const Eigen::VectorXd> negative(integrals.data(), static_cast<Eigen::Index>(integrals.size()));
   remove_means(discrete.null_space, discrete.system, negative, iterate.values);
   const auto [least, greatest] = std::ranges::minmax_element(iterate.values);

@@ -52,7 +52,7 @@ std::map<std::array<int, 2>, double> deviations_from_curves(const Mesh& mesh, co
 std::vector<std::array<int, 2>> repeated_edges(const Mesh& mesh) {
   std::vector<std::array<int, 3>> sorted;
   for (int e = 0; e < mesh.num_edges(); ++e) {
-    const auto [low, high] = std::minmax(mesh.edges[at(e)][0], mesh.edges[at(e)][1]);
+    const auto [low, high] = ends_in_order(mesh.edges[at(e)][0], mesh.edges[at(e)][1]);
     sorted.push_back({low, high, e});
   }
   std::sort(sorted.begin(), sorted.end());

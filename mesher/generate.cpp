@@ -9,6 +9,7 @@
 #include "mesher/cracks.h"
 #include "mesher/curve_vertices.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/chord_limits.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/particles/boundary.h"
@@ -88,17 +89,36 @@ Mesh in_local_order(Mesh mesh) {
 
 Mesh refined(const Mesh& mesh, const Domain& domain) { return refine_red(mesh, middles_on_curves(mesh, domain)); }
 
+/// The mesh of the domain's sites, with more of them where these do not show what the metric asks for.
+struct ScratchStart {
+  Mesh mesh;
+  OverlookedParts overlooked;
+  double expected_vertices;
+};
+
+ScratchStart scratch_start(const Domain& domain, const Outline& outline, const MetricField& field,
+                           std::int64_t max_vertices) {
+  constexpr double much_more = 1.1;
+  Mesh mesh = to_mesh(triangulate(outline.domain), outline.segments).mesh;
+  mesh.required = required_parts(mesh, domain);
+  OverlookedParts overlooked(field, domain);
+  const double seen = integrate_complexity(mesh, field), held = overlooked.complexity_within(mesh);
+  const double expected = expected_vertices(std::max(seen, held));
+  check_size(expected, max_vertices);
+  if (held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(coarser_levels(expected)));
+  return {std::move(mesh), std::move(overlooked), expected};
+}
+
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
 // slivers; then each level takes the refined mesh of the one before and relaxes it in the metric.
 // Coarse levels are relaxed even where their population is right: what is out of order there stays so when
 // it is refined (uniform, 200 000 vertices: mean quality .985, .978 without, at the same cost). The coarsest has the
 // most rounds, as refinement keeps its density and they cost nothing there. Without momentum: it pays when a later
 // remesh settles what it has stirred up.
-Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const OverlookedParts& overlooked,
-                       const Mesh& outline, double expected, FastScheduleOptions effort,
-                       const GenerateOptions& options) {
+Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const ScratchStart& start,
+                       FastScheduleOptions effort, const GenerateOptions& options) {
   effort.momentum = options.particles.momentum.value_or(0.0);
-  const int levels = coarser_levels(expected);
+  const int levels = coarser_levels(start.expected_vertices);
   const FastScheduleOptions coarse_effort{.rounds = 2,
                                           .sweeps_per_round = 2,
                                           .final_force_sweeps = 0,
@@ -110,10 +130,10 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Ove
                                           .max_vertices = effort.max_vertices};
   FastScheduleOptions coarsest_effort = coarse_effort;
   coarsest_effort.rounds = 8;
-  Relaxed relaxed{.mesh = outline, .metrics = {}, .before_descent = {}};
+  Relaxed relaxed{.mesh = start.mesh, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
     const double scale = scale_of(level);
-    if (level == 1 && level < levels) relaxed.mesh = overlooked.with_sites(relaxed.mesh, scale);
+    if (level == 1 && level < levels) relaxed.mesh = start.overlooked.with_sites(relaxed.mesh, scale);
     ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field);
     if (level == levels) {
       particles.set_level({scale, true});
@@ -136,6 +156,12 @@ Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh 
   if (options.observer) options.observer(particles, 0);
   run_fast_schedule(particles, effort);
   return taken_lower_in_error(particles, options.hessian);
+}
+
+Mesh refined_start(Mesh mesh, const Domain& domain, int times) {
+  mesh.required = required_parts(mesh, domain);
+  for (int i = 0; i < times; ++i) mesh = refined(mesh, domain);
+  return mesh;
 }
 
 // From the sites of the domain, or from the previous mesh as it is.
@@ -193,30 +219,17 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
       choice = {Start::PreviousMesh, 0, choice.expected_vertices, "the thesis's schedule starts from any mesh"};
     if (!fit) result.report.warnings.push_back(choice.reason + ": started from scratch");
   }
-  const bool from_scratch = choice.start == Start::Scratch;
-  Mesh start = from_scratch ? to_mesh(triangulate(outline.domain), outline.segments).mesh : std::move(*fit);
-  start.required = required_parts(start, domain);
-  std::optional<OverlookedParts> overlooked;
-  double expected = choice.expected_vertices;
-  bool sees_all = true;
-  if (from_scratch) {
-    constexpr double much_more = 1.1;
-    overlooked.emplace(field, domain);
-    const double seen = integrate_complexity(start, field), held = overlooked->complexity_within(start);
-    expected = expected_vertices(std::max(seen, held));
-    sees_all = held <= much_more * seen;
-  }
-  check_size(expected, options.max_vertices);
-
-  if (!sees_all) start = overlooked->with_sites(start, scale_of(coarser_levels(expected)));
-  for (int i = 0; i < choice.refinements; ++i) start = refined(start, domain);
   Relaxed relaxed;
-  if (by_thesis)
-    relaxed = mesh_by_thesis(domain, field, start, options, result.report);
-  else if (from_scratch)
-    relaxed = mesh_in_levels(domain, field, *overlooked, start, expected, effort, options);
-  else
-    relaxed = mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options);
+  if (choice.start == Start::Scratch) {
+    const ScratchStart start = scratch_start(domain, outline, field, options.max_vertices);
+    relaxed = by_thesis ? mesh_by_thesis(domain, field, start.mesh, options, result.report)
+                        : mesh_in_levels(domain, field, start, effort, options);
+  } else {
+    check_size(choice.expected_vertices, options.max_vertices);
+    Mesh start = refined_start(std::move(*fit), domain, choice.refinements);
+    relaxed = by_thesis ? mesh_by_thesis(domain, field, start, options, result.report)
+                        : mesh_from_previous(domain, field, in_local_order(std::move(start)), effort, options);
+  }
   result.report.start = choice.start;
   result.report.start_reason = std::move(choice.reason);
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);

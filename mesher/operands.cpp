@@ -4,19 +4,18 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/curve_crossings.h"
+#include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_tree.h"
 
 namespace parmesan {
 namespace {
 
-constexpr double ulps = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr double chord_share = 1e-4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -66,12 +65,6 @@ void add(Operands& operands, const Domain& domain) {
   all.label_names.insert(domain.label_names.begin(), domain.label_names.end());
   all.region_names.insert(domain.region_names.begin(), domain.region_names.end());
   ++operands.count;
-}
-
-double tolerance_of(const Domain& domain) {
-  double largest = 0.0;
-  for (const Point& p : domain.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  return ulps * largest;
 }
 
 // In a grid of cells so large that near points are in neighbouring ones.
@@ -166,7 +159,7 @@ Operands gather(std::span<const Domain> domains) {
     }
   }
   if (operands.all.points.empty()) return operands;
-  const double tolerance = tolerance_of(operands.all);
+  const double tolerance = rounding_of(operands.all.points);
   merge_near_points(operands.all, tolerance);
   for (int round = 0; round < max_rounds && split_at_near_points(operands, tolerance); ++round) continue;
   return operands;

@@ -155,15 +155,19 @@ double Curve::least_density(double t) const {
   return std::sqrt(samples_[arc].deviation / chord_errors_[arc]) / (samples_[arc].t - samples_[arc - 1].t);
 }
 
+std::vector<Point> Curve::points_between(double from, double to, int parts) const {
+  std::vector<Point> points;
+  for (int i = 1; i < parts; ++i) points.push_back(at(from + (to - from) * i / parts));
+  return points;
+}
+
 double Curve::deviation(double from, double to) const {
   constexpr int parts = 8;
   const Point a = at(from);
   const Point b = at(to);
   double largest = 0.0;
-  for (int i = 1; i < parts; ++i) {
-    const Point p = at(from + (to - from) * i / parts);
+  for (const Point& p : points_between(from, to, parts))
     largest = std::max(largest, std::abs(cross(b - a, p - a)) / norm(b - a));
-  }
   return largest;
 }
 

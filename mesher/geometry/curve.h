@@ -64,6 +64,9 @@ class Curve {
     chord_errors_[arc] = std::min(chord_errors_[arc], distance);
   }
 
+  /// The points that divide the part between two parameters, both left out, into so many of equal steps of t.
+  std::vector<Point> points_between(double from, double to, int parts) const;
+
   /// The largest distance of the arc between two parameters from its chord, at seven points.
   double deviation(double from, double to) const;
 

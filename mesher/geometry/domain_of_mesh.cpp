@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "mesher/cracks.h"
 #include "mesher/geometry/domain.h"
 #include "mesher/geometry/hole_seeds.h"
+#include "mesher/geometry/rounding.h"
 #include "mesher/mesh_sides.h"
 
 namespace parmesan {
@@ -61,9 +61,7 @@ class ChainJoiner {
   ChainJoiner(const std::vector<Point>& points, const std::vector<Constraint>& constraints,
               const std::vector<int>& corners)
       : points_(points), constraints_(constraints), incident_(points.size(), {-1, -1}), is_corner_(points.size()) {
-    double largest = 0.0;
-    for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    tolerance_ = 16.0 * std::numeric_limits<double>::epsilon() * largest;
+    tolerance_ = rounding_of(points);
     for (int c = 0; c < static_cast<int>(constraints.size()); ++c) {
       add_incidence(constraint(c).a, c);
       add_incidence(constraint(c).b, c);

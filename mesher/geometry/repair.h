@@ -53,9 +53,6 @@ struct StraightSegments {
 /// Errors: GeometryError for indices out of range, coordinates that are not finite or over 1e75, a negative tolerance.
 void check_input(const Domain& domain);
 
-/// What rounding moves a computed point by, at most, in ulp of the largest coordinate.
-inline constexpr double rounding_in_ulps = 16.0;
-
 /// Equal points, and those nearer than the domain's tolerance, become the first of them, and points near the end of a
 /// curve to rounding become that; the order of the others stays.
 DomainRepair merge_points(const Domain& domain);

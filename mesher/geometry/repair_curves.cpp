@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/repair.h"
+#include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_path.h"
 
 namespace parmesan {
@@ -15,10 +15,7 @@ namespace {
 constexpr double tolerance = 1e-9;  // of a curve's extent, within which a point is on it
 
 /// The same as a length near a point; of pieces that are small where coordinates are large 16 ulp of these.
-double reach(const Curve& curve, const Point& p) {
-  constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
-  return std::max(tolerance * curve.extent(), rounding * std::max(std::abs(p.x), std::abs(p.y)));
-}
+double reach(const Curve& curve, const Point& p) { return std::max(tolerance * curve.extent(), rounding_of({&p, 1})); }
 
 const Curve& curve_of(const DomainRepair& repair, const Segment& s) {
   return repair.domain.curves[static_cast<std::size_t>(s.curve)];

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "mesher/geometry/first_equal.h"
 #include "mesher/geometry/repair.h"
+#include "mesher/geometry/rounding.h"
 
 namespace parmesan {
 namespace {
@@ -81,9 +81,7 @@ std::vector<int> first_within(const Domain& domain) {
 std::vector<int> first_but_for_rounding(const Domain& domain) {
   std::vector<int> result = first_equals(domain.points);
   const std::vector<bool> ends_curve = curve_ends(domain);
-  double largest = 0.0;
-  for (const Point& p : domain.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double tolerance = rounding_in_ulps * largest * std::numeric_limits<double>::epsilon();
+  const double tolerance = rounding_of(domain.points);
   if (std::ranges::find(ends_curve, true) == ends_curve.end() || !(tolerance > 0.0)) return result;
   std::vector<bool> stands_for_end(result.size(), false);
   for (std::size_t i = 0; i < result.size(); ++i)

@@ -2,12 +2,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/closest_pair.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/repair.h"
+#include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_path.h"
 
 namespace parmesan {
@@ -46,22 +47,6 @@ void check_curve(int curve, int num_curves, int segment) {
 }
 
 bool comes_first(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
-struct Extent {
-  double diameter;
-  double largest_coordinate;
-};
-
-Extent extent_of(const std::vector<Point>& points) {
-  Point low = points[0];
-  Point high = points[0];
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return {std::hypot(high.x - low.x, high.y - low.y),
-          std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)})};
-}
 
 }  // namespace
 
@@ -119,7 +104,7 @@ void require_extent(const DomainRepair& repair) {
     throw GeometryError("all " + std::to_string(points.size()) + " points lie on the line through " + text(points[0]) +
                         " and " + text(points[1]) + ", so the domain has no area");
   }
-  const double diameter = extent_of(points).diameter;
+  const double diameter = bounding_diagonal(points);
   if (diameter < min_diameter) {
     throw GeometryError("the domain's diameter is " + text(diameter) + "; it must be at least " + text(min_diameter) +
                         ": scale the domain");
@@ -142,14 +127,14 @@ void require_seeds_off_points(const DomainRepair& repair) {
 }
 
 DomainRepair note_close_points(DomainRepair repair) {
-  const auto [diameter, largest] = extent_of(repair.domain.points);
-  const double ulps = rounding_in_ulps * largest * std::numeric_limits<double>::epsilon();
+  const double diameter = bounding_diagonal(repair.domain.points);
+  const double rounding = rounding_of(repair.domain.points);
   const ClosestPair pair = closest_pair(repair.domain.points);
-  if (pair.distance >= close_share_of_diameter * diameter && pair.distance >= ulps) return repair;
+  if (pair.distance >= close_share_of_diameter * diameter && pair.distance >= rounding) return repair;
   std::string message = "kept points " + text(repair.source_point(pair.first)) + " and " +
                         text(repair.source_point(pair.second)) + " apart, though their distance " +
                         text(pair.distance) + " is only " + text(pair.distance / diameter) + " of the diameter";
-  if (pair.distance < ulps) message += " and near the resolution of the coordinates: subtract an offset";
+  if (pair.distance < rounding) message += " and near the resolution of the coordinates: subtract an offset";
   message += "; a merge tolerance above it makes them one";
   repair.repairs.push_back(std::move(message));
   return repair;

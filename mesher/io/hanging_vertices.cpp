@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/repair.h"
+#include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_tree.h"
 
 namespace parmesan {
 namespace {
-
-double rounding_of(const std::vector<Point>& points) {
-  double largest = 0.0;
-  for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  return 16.0 * std::numeric_limits<double>::epsilon() * largest;
-}
 
 Domain domain_of_sides(const std::vector<Point>& points, const std::vector<BoundarySide>& sides) {
   Domain domain;

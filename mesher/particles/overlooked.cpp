@@ -75,7 +75,7 @@ class EdgeSamples {
       const auto [a, b] = mesh_.edges[at(edge)];
       VertexId from = a;
       for (const double share : shares) {
-        const EdgeId e = spoke(t, from, b);
+        const EdgeId e = edge_between(t, from, b);
         if (e == no_edge) break;
         from = t.split_edge(e, lerp(mesh_.points[at(a)], mesh_.points[at(b)], share));
         legalize_star(t, from);
@@ -113,14 +113,6 @@ class EdgeSamples {
       }
     }
     if (lowest && last > far * lowest->size) found.push_back(lowest->share);
-    return found;
-  }
-
-  static EdgeId spoke(const Triangulation& t, VertexId from, VertexId to) {
-    EdgeId found = no_edge;
-    for_each_spoke(t, from, [&](EdgeId e) {
-      if (t.dest(e) == to) found = e;
-    });
     return found;
   }
 

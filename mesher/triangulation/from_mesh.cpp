@@ -139,20 +139,11 @@ void close_boundary(Triangulation& t, std::vector<EdgeId> starts) {
   }
 }
 
-EdgeId find_edge(const Triangulation& t, int a, int b) {
-  EdgeId found = no_edge;
-  if (t.edge_of(a) == no_edge) return found;
-  for_each_spoke(t, a, [&](EdgeId e) {
-    if (t.dest(e) == b) found = e;
-  });
-  return found;
-}
-
 void set_segments(const Mesh& mesh, std::span<const int> edge_segments, const std::vector<EdgeId>& boundary,
                   Triangulation& t) {
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const auto [a, b] = mesh.edges[i];
-    const EdgeId e = find_edge(t, a, b);
+    const EdgeId e = t.edge_of(a) == no_edge ? no_edge : edge_between(t, a, b);
     if (e == no_edge)
       throw GeometryError("edge " + std::to_string(i) + " is no side of a triangle", {static_cast<int>(i)});
     t.set_segment(e, edge_segments[i]);

@@ -99,4 +99,13 @@ void for_each_spoke(const Triangulation& t, VertexId v, F f) {
   } while (e != first);
 }
 
+/// The edge from a, which is not isolated, to b; no_edge when there is none.
+inline EdgeId edge_between(const Triangulation& t, VertexId a, VertexId b) {
+  EdgeId found = no_edge;
+  for_each_spoke(t, a, [&](EdgeId e) {
+    if (t.dest(e) == b) found = e;
+  });
+  return found;
+}
+
 }  // namespace parmesan

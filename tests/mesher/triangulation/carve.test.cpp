@@ -70,7 +70,7 @@ TEST_CASE("carve keeps what lies inside and drops what lies outside", "[mesher][
   CHECK(doubled_area_of(t) == Approx(200.0).epsilon(1e-14));
   for (const VertexId v : {0, 1, 2, 3, 4, 5, 6, 10}) CHECK(t.has_vertex(v));
   for (const VertexId v : {7, 8, 9}) CHECK(!t.has_vertex(v));
-  CHECK(t.segment(support::edge_between(t, 5, 6)) == 4);
+  CHECK(t.segment(edge_between(t, 5, 6)) == 4);
   CHECK(missing_segments(t, d) == std::vector<int>{5, 6});
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("a constraint that divides the inside is no boundary", "[mesher][trian
   d.inside = GENERATE(Inside::EvenOdd, Inside::HoleSeeds);
   const Triangulation t = carved(d);
   CHECK(doubled_area_of(t) == Approx(200.0).epsilon(1e-14));
-  CHECK(!t.is_boundary(support::edge_between(t, 0, 2)));
+  CHECK(!t.is_boundary(edge_between(t, 0, 2)));
 }
 
 TEST_CASE("holes may touch the boundary and each other in a vertex", "[mesher][triangulation]") {

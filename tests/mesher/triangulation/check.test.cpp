@@ -45,7 +45,7 @@ TEST_CASE("check finds each kind of damage", "[mesher][triangulation]") {
   SECTION("two values in a face") { t.set_left(free_edge(t), 5); }
   SECTION("edge_of that starts elsewhere") { t.set_edge_of(10, sym(t.edge_of(10))); }
   SECTION("a free boundary") {
-    t.set_segment(support::edge_between(t, 0, 1) == no_edge ? t.edge_of(0) : support::edge_between(t, 0, 1), -1);
+    t.set_segment(edge_between(t, 0, 1) == no_edge ? t.edge_of(0) : edge_between(t, 0, 1), -1);
   }
   SECTION("an isolated vertex") { t.add_vertex({0.5, 0.5}); }
   CHECK(!check(t).empty());

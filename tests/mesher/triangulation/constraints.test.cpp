@@ -83,10 +83,10 @@ TEST_CASE("insert_constraint across many edges and round slits", "[mesher][trian
 TEST_CASE("insert_constraint splits a segment at the sites on it", "[mesher][triangulation]") {
   Triangulation t = delaunay(support::grid_points(5, 5)).triangulation;
   insert_constraint(t, 0, 24, 7);
-  for (VertexId v = 0; v < 24; v += 6) CHECK(t.segment(support::edge_between(t, v, v + 6)) == 7);
+  for (VertexId v = 0; v < 24; v += 6) CHECK(t.segment(edge_between(t, v, v + 6)) == 7);
   insert_constraint(t, 1, 13, 8);  // (1, 0) to (3, 2)
-  CHECK(t.segment(support::edge_between(t, 1, 7)) == 8);
-  CHECK(t.segment(support::edge_between(t, 7, 13)) == 8);
+  CHECK(t.segment(edge_between(t, 1, 7)) == 8);
+  CHECK(t.segment(edge_between(t, 7, 13)) == 8);
 }
 
 TEST_CASE("a repeated constraint changes nothing", "[mesher][triangulation]") {

@@ -84,7 +84,7 @@ TEST_CASE("from_mesh undoes to_mesh", "[mesher][triangulation]") {
   for (const auto& v : violations) UNSCOPED_INFO(v);
   REQUIRE(violations.empty());
   for (std::size_t i = 0; i < edge_segments.size(); ++i)
-    CHECK(t.segment(support::edge_between(t, first.mesh.edges[i][0], first.mesh.edges[i][1])) == edge_segments[i]);
+    CHECK(t.segment(edge_between(t, first.mesh.edges[i][0], first.mesh.edges[i][1])) == edge_segments[i]);
   // edge i carries segment i, whose label is labels[i]: the same mesh comes back, but for its order
   const ConvertedMesh second = to_mesh(t, first.mesh.labels);
   CHECK(second.mesh.points == first.mesh.points);
@@ -133,7 +133,7 @@ TEST_CASE("from_mesh leaves the slots of orphan points empty", "[mesher][triangu
   const Triangulation t = from_mesh(mesh, numbers(3));
   CHECK(check(t).empty());
   CHECK(!t.has_vertex(1));
-  CHECK(t.left(support::edge_between(t, 0, 2)) == 4);
+  CHECK(t.left(edge_between(t, 0, 2)) == 4);
 }
 
 TEST_CASE("from_mesh refuses what is no mesh", "[mesher][triangulation][errors]") {

@@ -174,23 +174,23 @@ TEST_CASE("insert_site returns the site that is there", "[mesher][triangulation]
 
 TEST_CASE("insert_site on a constraint keeps both halves constrained", "[mesher][triangulation]") {
   Triangulation t = delaunay(support::grid_points(4, 4)).triangulation;
-  t.set_segment(support::edge_between(t, 5, 6), 3);
+  t.set_segment(edge_between(t, 5, 6), 3);
   const VertexId v = insert_site(t, {1.5, 1.0}, t.edge_of(0));
-  CHECK(t.segment(support::edge_between(t, 5, v)) == 3);
-  CHECK(t.segment(support::edge_between(t, v, 6)) == 3);
+  CHECK(t.segment(edge_between(t, 5, v)) == 3);
+  CHECK(t.segment(edge_between(t, v, 6)) == 3);
   require_delaunay(t);
 }
 
 TEST_CASE("insert_site never flips a constraint", "[mesher][triangulation]") {
   const std::vector<Point> corners = {{0, 0}, {10, 0}, {5, 1}, {5, -1}};
   Triangulation t = delaunay(corners).triangulation;
-  EdgeId e = support::edge_between(t, 2, 3);
+  EdgeId e = edge_between(t, 2, 3);
   REQUIRE(e != no_edge);
   t.flip(e);  // the long diagonal 0 - 1
   t.set_segment(e, 0);
   const VertexId v = insert_site(t, {5, 0.5}, t.edge_of(0));
-  CHECK(support::edge_between(t, 0, 1) != no_edge);
-  CHECK(support::edge_between(t, v, 3) == no_edge);
+  CHECK(edge_between(t, 0, 1) != no_edge);
+  CHECK(edge_between(t, v, 3) == no_edge);
 }
 
 TEST_CASE("make_delaunay restores a triangulation that was flipped at random", "[mesher][triangulation]") {
@@ -235,7 +235,7 @@ TEST_CASE("remove_site cuts no ear over a site on its lid", "[mesher][triangulat
   const std::vector<Point> points = {{-2, 0}, {0, 0}, {2, 0}, {0, 3}, {0, 1}};
   for (const VertexId neighbor : {0, 1, 2, 3}) {
     Triangulation t = delaunay(points).triangulation;
-    t.set_edge_of(4, support::edge_between(t, 4, neighbor));
+    t.set_edge_of(4, edge_between(t, 4, neighbor));
     REQUIRE(t.edge_of(4) != no_edge);
     remove_star(t, 4);
     require_delaunay(t);

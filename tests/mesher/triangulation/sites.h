@@ -84,15 +84,6 @@ inline double doubled_area_of(const Triangulation& t) {
   return sum;
 }
 
-/// The edge from a to b; no_edge when there is none.
-inline EdgeId edge_between(const Triangulation& t, VertexId a, VertexId b) {
-  EdgeId found = no_edge;
-  for_each_spoke(t, a, [&](EdgeId e) {
-    if (t.dest(e) == b) found = e;
-  });
-  return found;
-}
-
 /// Is the quadrilateral round the free inside edge e strictly convex?
 inline bool is_convex(const Triangulation& t, EdgeId e) {
   const Point& c = t.point(t.dest(t.onext(e)));

@@ -12,7 +12,6 @@ namespace parmesan {
 namespace {
 
 using support::doubled_area_of;
-using support::edge_between;
 using support::num_edges;
 using support::num_triangles;
 
