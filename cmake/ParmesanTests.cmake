@@ -41,6 +41,7 @@ if(TARGET tests_adapt)
 endif()
 parmesan_tests(system parmesan_adapt)
 if(TARGET tests_system AND TARGET parmesan)
+  set_tests_properties(system/cases PROPERTIES COST 100)  # the longest begins first
   target_compile_definitions(tests_system PRIVATE PARMESAN_PROGRAM="$<TARGET_FILE:parmesan>")
   add_dependencies(tests_system parmesan)
 endif()

@@ -81,7 +81,7 @@ TEST_CASE("a target beyond the vertex budget is missed and the budget kept", "[a
   for (const IterationRow& row : run.summary.iterations) CHECK(row.vertices <= 400);
 }
 
-TEST_CASE("a loop that has met its targets ends with a mesh that meets them, the smallest", "[adapt][loop]") {
+TEST_CASE("a loop that has met its targets ends with a mesh that meets them, the smallest", "[adapt][loop][slow]") {
   bool has_returned = false;
   for (int most = 5; most <= 12; ++most) {
     const Case input = interpolation_case("tanh(20*(x - y^2))",
@@ -157,7 +157,7 @@ TEST_CASE("the number of vertices aimed at is hit within 3 %, or limits are name
 }
 
 TEST_CASE("the automatic bound on aspects halves the error of a solution whose Hessian vanishes along a direction",
-          "[adapt][loop]") {
+          "[adapt][loop][slow]") {
   // det H = 0 at y = 1/2. Without a bound the solution has 4 to 5 times the error of the interpolant there.
   const auto l2_error = [](bool automatic) {
     Case input = poisson_case("(x - 1)*sin(pi*y)", R"({"vertices": 4000})");

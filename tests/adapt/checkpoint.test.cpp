@@ -36,7 +36,8 @@ LoopState some_state() {
 
 }  // namespace
 
-TEST_CASE("a loop resumed after any row, through a checkpoint, ends bit by bit as it would have", "[adapt][resume]") {
+TEST_CASE("a loop resumed after any row, through a checkpoint, ends bit by bit as it would have",
+          "[adapt][resume][slow]") {
   Case input = GENERATE(poisson_case("tanh(20*(x - y^2))", R"({"l2_error": 2e-3, "max_vertices": 3000})"),
                         interpolation_case("sin(6*x)*y^2", R"({"vertices": 900})"),
                         interpolation_case("tanh(20*(x - y^2))", R"({"vertices": 500})"),

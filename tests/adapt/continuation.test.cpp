@@ -65,7 +65,7 @@ TEST_CASE("after continuation the case's own problem is solved, for a goal too",
 }
 
 TEST_CASE("an interrupt during continuation leaves a row of the case's own problem, and a state to begin again from",
-          "[adapt][continuation]") {
+          "[adapt][continuation][slow]") {
   std::atomic<bool> interrupted{true};
   std::optional<LoopState> state;
   LoopOptions options;

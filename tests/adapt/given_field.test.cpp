@@ -56,7 +56,7 @@ TEST_CASE("function_of is the P1 function with the values at the vertices", "[ad
   CHECK(f.value({-1e-9, 0.5}) == Approx(f.value({0.0, 0.5})).epsilon(1e-6));  // outside: a place nearby
 }
 
-TEST_CASE("a mesh is adapted to a function from a file as to its expression", "[adapt][given][loop]") {
+TEST_CASE("a mesh is adapted to a function from a file as to its expression", "[adapt][given][loop][slow]") {
   const GivenCase data("loop", support::rectangle_mesh(160, 160));
   const Case given = data.read(files, R"(, "targets": {"vertices": 400, "max_iterations": 8})");
   REQUIRE(given.given);

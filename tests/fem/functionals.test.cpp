@@ -44,7 +44,7 @@ TEST_CASE("a weight that is 1 on a disc gives the integral over the disc", "[fem
   }
 }
 
-TEST_CASE("no triangle that the side of a disc cuts between its points is missed", "[fem][functional]") {
+TEST_CASE("no triangle that the side of a disc cuts between its points is missed", "[fem][functional][slow]") {
   const Mesh mesh = random_square(20, 0.24, 15);
   const std::vector<double> ones(mesh.points.size(), 1.0);
   double worst = 0.0;

@@ -118,7 +118,7 @@ TEST_CASE("clean agrees with the exact classification of the corpus", "[mesher][
 }
 
 TEST_CASE("constrained Delaunay triangulations of the corpus are as another program makes them",
-          "[mesher][triangulation][shared]") {
+          "[mesher][triangulation][shared][slow]") {
   for_each_meshable([](const CorpusEntry& entry, const Domain& domain) {
     const Mesh mesh = triangulated(domain);
     CHECK(has_area_of(entry, mesh));

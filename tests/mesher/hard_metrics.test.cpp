@@ -200,7 +200,7 @@ TEST_CASE("a user's own field that is not finite somewhere is refused with the p
   CHECK_THROWS_WITH(generate(support::unit_square(), FieldWithBadBoundary()), Catch::Contains(", 0) is not finite"));
 }
 
-TEST_CASE("particles go though every star is far from the metric", "[mesher][generate]") {
+TEST_CASE("particles go though every star is far from the metric", "[mesher][generate][slow]") {
   // The band of height 5e-7 is seen by chance: whatever is made for it must go when the next mesh misses it.
   const auto band = [](const Point& p) { return Metric::from_sizes(0.5, 5e-7 + 0.2 * std::abs(p.y - 0.5), 0.0); };
   Mesh mesh = generate(support::unit_square(), ConstantField(Metric::isotropic(0.1))).mesh;

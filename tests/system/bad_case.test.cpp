@@ -156,7 +156,7 @@ TEST_CASE("a target below round-off ends at the floor, with 9 and a mesh", "[sys
   CHECK(looks_complete(folder / "out"));
 }
 
-TEST_CASE("where memory ends the program ends with 8, at whatever point that is", "[system][errors]") {
+TEST_CASE("where memory ends the program ends with 8, at whatever point that is", "[system][errors][slow]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("a.json", poisson(fixed));
   const std::vector<std::string> mesh{"mesh", input, "--size", "0.01", "-o", folder / "out.mesh"};

@@ -189,7 +189,7 @@ TEST_CASE("mesh refuses what it cannot do with the exit code of the reason", "[s
   if (!std::filesystem::exists(folder / "file")) CHECK_FALSE(std::filesystem::exists(folder / "out.mesh"));
 }
 
-TEST_CASE("memory that ends at any time ends with 8, and nothing is written", "[system][mesh][errors]") {
+TEST_CASE("memory that ends at any time ends with 8, and nothing is written", "[system][mesh][errors][slow]") {
   const TemporaryFolder folder;
   const std::string square = folder.write("square.poly", square_poly);
   std::set<int> codes;

@@ -98,7 +98,8 @@ TEST_CASE("the first Ctrl-C ends a run in order, with 128 + the signal", "[syste
   }
 }
 
-TEST_CASE("a run that was stopped or killed, and resumed, leaves the same mesh and solution", "[system][run][resume]") {
+TEST_CASE("a run that was stopped or killed, and resumed, leaves the same mesh and solution",
+          "[system][run][resume][slow]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("layer.json", layer);
   const int signal = GENERATE(SIGINT, SIGKILL);
