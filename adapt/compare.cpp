@@ -209,9 +209,11 @@ double CompareRow::leading_h1() const {
 CompareResult compare_case(const Case& input, const CompareOptions& options) {
   check_sizes(options.sizes);
   const std::string folder = options.out_dir.empty() ? input.name + ".compare" : options.out_dir;
-  const FolderLock lock = prepare_folder(folder, options.overwrite ? EarlierFiles::Replace : EarlierFiles::Refuse);
+  const EarlierFiles earlier = options.overwrite ? EarlierFiles::Replace : EarlierFiles::Refuse;
+  const FolderLock lock = prepare_folder(folder, earlier);
   CompareResult result = Comparison(input, options).run();
   result.out_dir = folder;
+  remove_earlier_files(folder, earlier);
   write_file(folder + "/case.json", input.resolved.dump(2) + "\n");
   write_file(folder + "/compare.csv", compare_csv(result));
   write_file(folder + "/summary.json", to_json(result).dump(2) + "\n", true);

@@ -106,24 +106,29 @@ FolderLock prepare_folder(const std::string& path, EarlierFiles earlier) {
                     "the folder is not empty; --overwrite replaces an earlier run, --resume goes on with it, --out "
                     "chooses another folder");
   }
-  remove_files(path, final_files);
-  if (earlier == EarlierFiles::Replace) remove_files(path, files_on_the_way);
   return lock;
 }
 
+void remove_earlier_files(const std::string& path, EarlierFiles earlier) {
+  remove_files(path, final_files);
+  if (earlier == EarlierFiles::Replace) remove_files(path, files_on_the_way);
+}
+
 RunFolder::RunFolder(const std::string& path, const Case& input, EarlierFiles earlier)
-    : path_(path), lock_(prepare_folder(path, earlier)), case_(input) {}
+    : path_(path), lock_(prepare_folder(path, earlier)), case_(input), earlier_(earlier) {}
 
 bool RunFolder::wants(const std::string& format) const {
   return std::ranges::find(case_.output.formats, format) != case_.output.formats.end();
 }
 
-void RunFolder::write_case() {
-  if (!std::exchange(has_case_, true)) write_file(file("case.json"), case_.resolved.dump(2) + "\n");
+void RunFolder::begin() {
+  if (std::exchange(has_begun_, true)) return;
+  remove_earlier_files(path_, earlier_);
+  write_file(file("case.json"), case_.resolved.dump(2) + "\n");
 }
 
 void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row) {
-  write_case();
+  begin();
   const std::string folder =
       make_subfolder(path_, "iterations/" + three_digits(static_cast<std::size_t>(row.iteration)));
   if (wants("vtu")) write_vtu(folder + "/mesh.vtu", iterate.mesh, fields_of(case_, iterate));
@@ -133,7 +138,7 @@ void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row)
 }
 
 void RunFolder::finish(const Summary& summary, const Iterate& last) {
-  write_case();
+  begin();
   if (wants("vtu")) {
     std::vector<PvdEntry> entries;
     for (std::size_t k = 0; k < summary.iterations.size(); ++k)

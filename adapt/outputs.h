@@ -22,11 +22,15 @@ enum class EarlierFiles {
 /// the folder holds files and they are refused, or when it cannot be made.
 FolderLock prepare_folder(const std::string& path, EarlierFiles earlier);
 
+/// Removes an earlier run's files, when there is something to put in their place. Errors: FileError.
+void remove_earlier_files(const std::string& path, EarlierFiles earlier);
+
 /// The folder of a run, filled as the run goes on (INTERFACE: "What a run leaves in its folder").
 ///
 /// The files of the whole run (mesh.*, run.pvd, summary.json) are written by finish() only, each
 /// complete or not at all; a run that fails leaves its case and its iterations, never a summary. One that fails before
-/// its first iteration is done leaves nothing, so that the next needs no leave to overwrite it.
+/// its first iteration is done leaves what it found: an earlier run that it should replace, or nothing, so that the
+/// next needs no leave to overwrite it.
 class RunFolder {
  public:
   /// Errors: as prepare_folder.
@@ -34,21 +38,23 @@ class RunFolder {
 
   const std::string& path() const { return path_; }
 
-  /// iterations/NNN/, in the formats the case asks for; case.json before the first. Errors: FileError.
+  /// iterations/NNN/, in the formats the case asks for; case.json before the first, in place of earlier files. Errors:
+  /// FileError.
   void write_iteration(const Iterate& iterate, const IterationRow& row);
 
   /// The final files; summary.json last. Errors: FileError.
   void finish(const Summary& summary, const Iterate& last);
 
  private:
-  void write_case();
+  void begin();
   bool wants(const std::string& format) const;
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
   std::string path_;
   FolderLock lock_;
   const Case& case_;
-  bool has_case_ = false;  // written by this run
+  EarlierFiles earlier_;
+  bool has_begun_ = false;
 };
 
 }  // namespace parmesan

@@ -34,7 +34,7 @@ TEST_CASE("make_subfolder makes folders and follows no link out of the first", "
   CHECK_NOTHROW(make_subfolder(folder.file("given"), "a"));  // the folder itself is the user's own choice
 }
 
-TEST_CASE("prepare_folder keeps what is not ours", "[adapt][run][errors]") {
+TEST_CASE("only an earlier run's files are removed, and only where they may be replaced", "[adapt][run][errors]") {
   const support::TemporaryFolder folder("prepare_kept");
   prepare_folder(folder.path(), EarlierFiles::Refuse);
   std::ofstream(folder.file("thesis.tex")) << "text";
@@ -42,6 +42,8 @@ TEST_CASE("prepare_folder keeps what is not ours", "[adapt][run][errors]") {
   CHECK_THROWS_AS(prepare_folder(folder.path(), EarlierFiles::Refuse), FileError);
   CHECK(folder.has("summary.json"));
   prepare_folder(folder.path(), EarlierFiles::Replace);
+  CHECK(folder.has("summary.json"));
+  remove_earlier_files(folder.path(), EarlierFiles::Replace);
   CHECK(folder.has("thesis.tex"));
   CHECK_FALSE(folder.has("summary.json"));
 }

@@ -1,9 +1,11 @@
 #include "adapt/run_case.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
+#include "adapt/compare.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
 #include "tests/adapt/loop_cases.h"
@@ -68,6 +70,26 @@ TEST_CASE("run_case does not touch a folder with files unless told to", "[adapt]
   run_case(input, options);
   CHECK(folder.has("summary.json"));
   CHECK(content(folder.file("notes.txt")) == "mine");
+}
+
+TEST_CASE("a run that fails before its first iteration leaves the earlier run that it should replace",
+          "[adapt][run][errors]") {
+  const TemporaryFolder folder("run_fails_over");
+  RunOptions options = into(folder);
+  run_case(interpolation_case("log(x + 2)", small), options);
+  const auto names = {"summary.json", "case.json", "mesh.mesh", "report.html", "iterations/000/mesh.vtu"};
+  std::vector<std::string> before;
+  for (const char* name : names) before.push_back(content(folder.file(name)));
+  options.overwrite = true;
+  CHECK_THROWS_AS(run_case(interpolation_case("log(x - 2)", small), options), InputError);
+  CompareOptions comparison;
+  comparison.out_dir = folder.path();
+  comparison.overwrite = true;
+  CHECK_THROWS_AS(compare_case(interpolation_case("log(x - 2)", small), comparison), InputError);
+  std::vector<std::string> after;
+  for (const char* name : names) after.push_back(content(folder.file(name)));
+  CHECK(std::ranges::find(before, "") == before.end());
+  CHECK(after == before);
 }
 
 TEST_CASE("a run that fails leaves no summary", "[adapt][run][errors]") {
