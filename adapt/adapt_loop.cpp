@@ -67,12 +67,13 @@ class Loop {
     if (decision.stop && *decision.stop != StopReason::Interrupted && return_to_met())
       decision.stop = StopReason::ErrorTarget;
     Summary& summary = state_.summary;
-    const std::optional<std::int64_t> aimed = goal_.vertices ? case_.targets.vertices : std::nullopt;
-    for (std::string& warning : warnings_of_last(summary.iterations.back(), aimed, state_.limits_bind))
-      summary.warnings.push_back(std::move(warning));
     summary.stop_reason = decision.stop.value_or(StopReason::Interrupted);
     if (summary.stop_reason == StopReason::ErrorTarget && case_.targets.goal_error)
       summary.stop_reason = StopReason::GoalTarget;
+    const std::optional<std::int64_t> aimed = goal_.vertices ? case_.targets.vertices : std::nullopt;
+    for (std::string& warning :
+         warnings_of_last(summary.iterations.back(), aimed, state_.limits_bind, summary.stop_reason))
+      summary.warnings.push_back(std::move(warning));
     summary.targets_met = goal_.error_targets ? state_.history.back().error <= 1.0
                                               : summary.stop_reason != StopReason::Interrupted && has_size_aimed_at();
     return {std::move(summary), std::move(state_.last), state_.limit};

@@ -1,6 +1,8 @@
 #include "adapt/loop_warnings.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "adapt/number_text.h"
 #include "adapt/sizing.h"
@@ -33,7 +35,29 @@ std::string limits_text(const ClippedSizes& clipped, bool too_small) {
   return text;
 }
 
-std::optional<std::string> of_size(const IterationRow& last, std::optional<std::int64_t> aimed) {
+// Whether a limit acts at most of a mesh's vertices.
+bool limits_most(const IterationRow& last, bool too_small) {
+  const ClippedSizes& clipped = last.clipped;
+  const auto count =
+      too_small ? clipped.h_min.count : std::max({clipped.h_max.count, clipped.aspect.count, clipped.gradation.count});
+  return 2 * count > last.vertices;
+}
+
+// A loop that ended before it had come to the size that it could have. Empty: none.
+std::string_view cut_short_by(StopReason reason) {
+  switch (reason) {
+    case StopReason::MaxIterations:
+      return "its iterations";
+    case StopReason::TimeBudget:
+      return "its time";
+    case StopReason::Interrupted:
+      return "an interrupt";
+    default:
+      return {};
+  }
+}
+
+std::optional<std::string> of_size(const IterationRow& last, std::optional<std::int64_t> aimed, StopReason reason) {
   const auto got = static_cast<double>(last.vertices);
   if (!aimed) return std::nullopt;
   const auto wanted = static_cast<double>(*aimed);
@@ -41,7 +65,11 @@ std::optional<std::string> of_size(const IterationRow& last, std::optional<std::
   std::string sentence =
       "the mesh has " + std::to_string(last.vertices) + " vertices, not the " + std::to_string(*aimed) + " aimed at";
   const std::string limits = limits_text(last.clipped, got < wanted);
-  if (!limits.empty()) sentence += "; limits forbid it: " + limits;
+  const std::string_view end = limits_most(last, got < wanted) ? std::string_view{} : cut_short_by(reason);
+  if (!end.empty())
+    sentence += "; the loop was ended by " + std::string(end);
+  else if (!limits.empty())
+    sentence += "; limits forbid it: " + limits;
   return sentence;
 }
 
@@ -89,13 +117,13 @@ std::optional<std::string> of_constants(const IterationRow& last) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed,
-                                          bool limits_bind) {
+std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed, bool limits_bind,
+                                          StopReason reason) {
   std::vector<std::string> warnings;
   const auto add = [&warnings](std::optional<std::string> warning) {
     if (warning) warnings.push_back(std::move(*warning));
   };
-  add(of_size(last, aimed));
+  add(of_size(last, aimed, reason));
   if (!aimed) add(of_smallest_size(last, limits_bind));
   if (!satisfies_metric(last.diagnosis)) {
     for (std::string& sentence : sentences(last.diagnosis)) warnings.push_back(std::move(sentence));

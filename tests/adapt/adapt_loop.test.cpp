@@ -367,6 +367,15 @@ TEST_CASE("a size that was aimed at and missed is a target missed", "[adapt][loo
   CHECK(summary.targets_met == (passes == 12));
 }
 
+TEST_CASE("a loop that its iterations ended short of the size is not said to be forbidden it", "[adapt][loop]") {
+  Case input = poisson_case("x^2*y + sin(5*x)", R"({"vertices": 1000, "max_iterations": 2})");
+  input.metric.h_max = 0.2;
+  const Summary summary = adapt(input, {}).summary;
+  REQUIRE_FALSE(summary.warnings.empty());
+  CHECK_THAT(summary.warnings.front(), Catch::Contains("not the 1000 aimed at; the loop was ended by its iterations") &&
+                                           !Catch::Contains("forbid"));
+}
+
 TEST_CASE("where data leave a constant free the exact function's mean is taken", "[adapt][loop]") {
   const Case input = parse_case(R"case({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
       "problem": {"exact": "cos(pi*x)*cos(pi*y) + x + 5", "boundary": {"*": {"neumann": "exact"}}},

@@ -84,6 +84,22 @@ TEST_CASE("mesh follows a background metric, and can start from an earlier mesh"
   CHECK(quality_of({folder / "b.mesh"}).at("vertices").get<int>() == Approx(577 + 60).epsilon(0.12));
 }
 
+TEST_CASE("a background mesh needs no edges", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string bare =
+      background.substr(0, background.find("Edges")) + background.substr(background.find("Triangles"));
+  const auto meshed = [&](const std::string& name, const std::string& text) {
+    const std::string out = folder / (name + ".out.mesh");
+    const ProgramResult result =
+        run_program({"mesh", folder.write("square.poly", square_poly), "--background", folder.write(name, text),
+                     "--metric", folder.write("bg.sol", layer_metric), "-o", out});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    return read_file(out);
+  };
+  CHECK(meshed("bare.mesh", bare) == meshed("whole.mesh", background));
+}
+
 TEST_CASE("mesh follows a user's own error indicators", "[system][mesh]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("square.poly", square_poly);

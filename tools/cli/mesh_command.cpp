@@ -10,6 +10,7 @@
 #include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/generate_around.h"
+#include "mesher/io/boundary_edges.h"
 #include "mesher/io/eps.h"
 #include "mesher/io/evolution.h"
 #include "mesher/io/medit_fields.h"
@@ -106,6 +107,15 @@ void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs&
     inputs.hessian = std::make_unique<TensorInterpolant>(background, read_tensor_file(arguments.hessian, n));
 }
 
+// Without triangles it is a cloud of samples.
+Mesh read_background(const std::string& path) {
+  Mesh mesh = read_mesh_file(path);
+  if (mesh.triangles.empty()) return mesh;
+  cover_boundary(mesh);
+  validate(mesh);
+  return mesh;
+}
+
 // The background mesh is often the previous one: then it is read only once.
 Inputs read_inputs(const MeshArguments& arguments, const Domain& domain) {
   Inputs inputs;
@@ -117,9 +127,7 @@ Inputs read_inputs(const MeshArguments& arguments, const Domain& domain) {
   } else if (arguments.background == arguments.from) {
     read_fields(*inputs.previous, arguments, inputs);
   } else {
-    const Mesh background = read_mesh_file(arguments.background);
-    if (!background.triangles.empty()) validate(background);
-    read_fields(background, arguments, inputs);
+    read_fields(read_background(arguments.background), arguments, inputs);
   }
   if (arguments.align) inputs.aligned = std::make_unique<BoundaryAlignedField>(*inputs.field, domain, *arguments.align);
   return inputs;
