@@ -61,6 +61,20 @@ CaseFunctional read_functional(CaseReading& reading, const CaseGeometry* geometr
   return result;
 }
 
+// Only sides with a condition take up or give off a flux: those of the boundary, and some inside.
+void check_flux(CaseReading& reading, const CaseGeometry& geometry, const Case& read, const std::string& where,
+                const std::string& pointer) {
+  if (where == "*" || !reading.issues.clean("/problem")) return;
+  const auto is_crossed = [&](int label) {
+    return label_name(geometry.domain.label_names, label) == where && !read.problem.boundary.contains(label);
+  };
+  if (std::ranges::any_of(geometry.optional, is_crossed))
+    reading.issues.add(pointer, "the side '" + where.substr(0, 60) +
+                                    "' lies inside of the domain and has no condition: what flows into it on one side "
+                                    "flows out on the other, 0 in all. What crosses it is the flux through the "
+                                    "boundary, and the sources, on either side");
+}
+
 }  // namespace
 
 void read_functionals_section(CaseReading& reading, const CaseGeometry* geometry, Case& result) {
@@ -73,6 +87,8 @@ void read_functionals_section(CaseReading& reading, const CaseGeometry* geometry
     if (result.interpolation && functional.kind == Kind::Flux) {
       reading.issues.add(pointer + "/flux", "a function that is interpolated has no flux; give an equation");
     }
+    if (functional.kind == Kind::Flux && geometry != nullptr)
+      check_flux(reading, *geometry, result, functional.where, pointer + "/flux");
     functional.name = name;
     result.functionals.push_back(std::move(functional));
   }

@@ -52,6 +52,16 @@ TEST_CASE("Functionals of a case are integrals, fluxes and values of its solutio
   CHECK(json["bounds"]["overshoot"] == 0.0);
 }
 
+TEST_CASE("The flux into a side that lies inside without a condition is refused", "[adapt][case][functional][errors]") {
+  const std::string functional = R"(, "functionals": {"through": {"flux": "inside"}})";
+  std::string text = series(functional);
+  CHECK_THROWS_WITH(parse_case(text, "case.json"),
+                    Catch::Contains("/functionals/through/flux") && Catch::Contains("lies inside of the domain"));
+  const std::string wall = R"("inside": {"dirichlet": 7}, )";
+  text.insert(text.find(R"("left": {"dirichlet")"), wall);
+  CHECK_NOTHROW(parse_case(text, "case.json"));
+}
+
 TEST_CASE("Limits on functionals and fluxes are verified", "[adapt][case][functional]") {
   const Case c = parse_case(series(R"(, "functionals": {"warm": {"integral": "steel"}},
       "expect": {"functionals": {"warm": {"min": 40, "max": 40.4}}, "fluxes": {"right": {"max": -39}}})"),
