@@ -27,7 +27,8 @@ SizeGoal size_goal(const Targets& targets) {
   SizeGoal goal;
   goal.error_targets = declares_error_target(targets);
   if (targets.vertices) goal.vertices = static_cast<double>(*targets.vertices);
-  if (!targets.max_seconds) goal.max_passes = targets.max_iterations;
+  goal.max_passes = targets.max_iterations;
+  goal.may_shrink = !targets.max_seconds;
   if (targets.max_vertices) goal.cap = cap_margin * static_cast<double>(*targets.max_vertices);
   if (goal.vertices && (goal.error_targets || (goal.cap && *goal.cap < *goal.vertices))) {
     goal.cap = std::min(goal.cap.value_or(HUGE_VAL), *goal.vertices);

@@ -23,6 +23,7 @@ constexpr double worth_shrinking = 0.92;  // of the vertices that a mesh has whi
 constexpr double largest_shrink = 0.5;
 constexpr int max_shrinks = 2;
 constexpr std::size_t passes_to_return = 3;
+constexpr int passes_at_aim = 3;
 
 bool same_rung(const SizeStep& a, const SizeStep& b) {
   return a.asked <= same_size * b.asked && b.asked <= same_size * a.asked;
@@ -126,12 +127,23 @@ std::ptrdiff_t num_shrinks(std::span<const SizeStep> history) {
 SizeDecision when_met(std::span<const SizeStep> history, const SizeGoal& goal) {
   const SizeStep& last = history.back();
   const SizeDecision stop{last.asked, StopReason::ErrorTarget};
-  if (!last.adapted || num_shrinks(history) >= max_shrinks) return stop;
+  if (!goal.may_shrink || !last.adapted || num_shrinks(history) >= max_shrinks) return stop;
   if (static_cast<int>(history.size() + passes_to_return) > goal.max_passes) return stop;
   const double enough = (1.0 + margin) * predicted_vertices(last.vertices, last.error, 1.0, observed_order(history));
   const double asked = std::max({enough, largest_shrink * last.vertices, history.front().asked});
   const bool is_smaller = asked < std::min(worth_shrinking * last.vertices, last.asked);
   return is_smaller ? SizeDecision{asked, std::nullopt} : stop;
+}
+
+// The growth per pass that leads to the size aimed at with passes left to settle there, where these grow short.
+std::optional<double> hurried_growth(std::span<const SizeStep> history, const SizeGoal& goal) {
+  if (goal.error_targets || !goal.vertices || goal.max_passes == 0) return std::nullopt;
+  const double factor = std::min(*goal.vertices, goal.cap.value_or(HUGE_VAL)) / history.back().asked;
+  if (factor <= 1.0) return std::nullopt;
+  const int left = goal.max_passes - static_cast<int>(history.size());
+  const int climbs = static_cast<int>(std::ceil(std::log(factor) / std::log(max_growth)));
+  if (left >= climbs + passes_at_aim) return std::nullopt;
+  return std::pow(factor, 1.0 / std::max(1, left - passes_at_aim + 1));
 }
 
 }  // namespace
@@ -153,6 +165,8 @@ SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) 
   const bool at_size = !goal.error_targets && goal.vertices && last.asked >= *goal.vertices * (1.0 - 1e-12);
   const bool aimless = !goal.error_targets && !goal.vertices && !goal.cap;
   const double wanted = std::min(wanted_size(history, goal), goal.cap.value_or(HUGE_VAL));
+  if (const std::optional<double> growth = hurried_growth(history, goal))
+    return {std::min(wanted, *growth * last.asked), std::nullopt};
   const bool near_target = goal.error_targets && last.adapted && !at_cap && wanted <= same_size * last.asked;
   const std::optional<double> aim = at_size ? goal.vertices : std::nullopt;
   if (!near_target && !settled(history, at_cap || at_size || aimless, aim)) return {last.asked, std::nullopt};

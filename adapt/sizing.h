@@ -23,7 +23,8 @@ struct SizeGoal {
   bool error_targets = false;      // until SizeStep::error <= 1
   std::optional<double> vertices;  // until this size
   std::optional<double> cap;       // never ask for more
-  int max_passes = 0;              // in all, as far as smaller sizes may be tried once error targets are met
+  int max_passes = 0;              // in all; 0: not known
+  bool may_shrink = true;          // smaller sizes may be tried once error targets are met
 };
 
 /// The size to ask for next, or why there is none.
@@ -58,8 +59,9 @@ double observed_order(std::span<const SizeStep> history);
 ///   found all of a layer improves faster than the observed order says.
 ///
 /// - a mesh that meets the targets with 8 % more vertices than they are predicted to need is made smaller, at most
-/// twice
-///   and as long as 3 of max_passes are left to come back if the prediction was wrong.
+///   twice and as long as 3 of max_passes are left to come back if the prediction was wrong;
+/// - towards a size aimed at, none of this holds it back from growing when max_passes would end the loop before it has
+///   had 3 passes at that size.
 ///
 /// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (with error targets: 4 passes in which the error did not
 /// fall by 2 %), or Unchanged when nothing is aimed at and the first size has settled.

@@ -1,5 +1,6 @@
 #include "adapt/sizing.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -149,6 +150,21 @@ TEST_CASE("next_size climbs to the size aimed at and settles there", "[adapt][si
     history.push_back({16000, 16000, error});
   }
   CHECK(next_size(history, to_size).stop == StopReason::Vertices);
+}
+
+TEST_CASE("next_size comes to the size aimed at within the passes there are, and has some to settle",
+          "[adapt][sizing]") {
+  SizeGoal goal = to_size;
+  goal.max_passes = GENERATE(2, 3, 4, 6, 8, 12);
+  const double gain = GENERATE(1.0, 1.7);  // the second never settles by itself
+  std::vector<SizeStep> history{{400, 400, 1.0, false}};
+  while (static_cast<int>(history.size()) < goal.max_passes) {
+    const SizeDecision d = next_size(history, goal);
+    if (d.stop) break;
+    history.push_back({d.asked, d.asked, history.back().error * history.back().vertices / (gain * d.asked)});
+  }
+  const auto at_aim = std::ranges::count_if(history, [](const SizeStep& s) { return has_size(s.vertices, 16000.0); });
+  CHECK(at_aim >= std::min(goal.max_passes - 1, 3));
 }
 
 TEST_CASE("next_size does not end on a mesh that is off the size aimed at by more than 3 %", "[adapt][sizing]") {
