@@ -11,6 +11,7 @@
 #include "fem/boundary_conditions.h"
 #include "fem/coefficients.h"
 #include "fem/load.h"
+#include "fem/point_location.h"
 #include "fem/side_integrals.h"
 
 namespace parmesan {
@@ -99,6 +100,8 @@ GoalFunctional goal_functional(const CaseFunctional& functional, const Mesh& mes
 
 double evaluate(const CaseFunctional& functional, const Mesh& mesh, std::span<const double> values,
                 const std::map<int, double>& fluxes) {
+  if (functional.kind == Kind::Value && triangles_at(mesh, functional.point).empty())
+    throw ProblemError("/functionals/" + functional.name + "/value: the point lies outside of the domain");
   const GoalFunctional goal = goal_functional(functional, mesh);
   double sum = value_of(functional_vector(mesh, goal), values);
   for (const int label : goal.fluxes) {

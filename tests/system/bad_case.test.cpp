@@ -97,6 +97,31 @@ TEST_CASE("check reports each file and ends with the code of the first that is w
   CHECK_THAT(result.err, Catch::Contains("absent.json"));
 }
 
+TEST_CASE("check finds what a run would refuse at once, with the same exit code", "[system][errors]") {
+  const TemporaryFolder folder;
+  const auto with = [](const std::string& data, const std::string& rest = "") {
+    return R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}, "problem": {)" + data + "}" + rest +
+           R"(, "targets": {"vertices": 200, "max_iterations": 2}})";
+  };
+  const std::string held = R"("boundary": {"*": {"dirichlet": 0}})";
+  const std::vector<std::string> texts{
+      with(R"x("interpolate": "log(x - 2)")x"),
+      with(R"("source": 1, "boundary": {"*": {"neumann": 0}})"),
+      with(R"("source": 1, "diffusion": "x - 0.5", )" + held),
+      with(R"x("source": "1/(x - x)", )x" + held),
+      with(R"("source": 1, )" + held, R"(, "functionals": {"v": {"value": [3, 3]}})"),
+      with(R"("interpolate": "x^2")", R"(, "metric": {"h_min": 1e-6, "h_max": 1e-5})")};
+  const std::string& text = texts[GENERATE(range(0U, 6U))];
+  INFO(text);
+  const std::string input = folder.write("case.json", text);
+  const ProgramResult checked = run_program({"check", input});
+  const ProgramResult run = run_program({"run", input, "-q", "--out", folder / "out"});
+  CHECK(checked.exit_code != 0);
+  CHECK(checked.exit_code == run.exit_code);
+  CHECK(checked.out.empty());
+  CHECK_THAT(checked.err, Catch::StartsWith("parmesan: error: " + input + ": "));
+}
+
 TEST_CASE("files that cannot be read or written end with 7", "[system][errors]") {
   const TemporaryFolder folder;
   SECTION("the case does not exist") {

@@ -1,7 +1,10 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
+#include "adapt/number_text.h"
+#include "adapt/trial.h"
 #include "tools/cli/case_options.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/escape.h"
@@ -14,24 +17,36 @@ struct CheckArguments {
   CommonOptions common;
 };
 
-// The size the loop is allowed to reach, as far as the case says.
+// The size the loop is allowed to reach, as far as the case says, and what memory that takes.
 std::string expected_size(const Case& input, const Limits& limits) {
-  const auto count = [](std::int64_t n) { return std::to_string(n) + " vertices"; };
-  if (input.targets.vertices) return "aims at " + count(*input.targets.vertices);
-  if (input.targets.max_vertices) return "at most " + count(*input.targets.max_vertices);
-  return "at most " + count(limits.vertices) + " (the safety limit)";
+  const std::int64_t most = input.targets.vertices.value_or(input.targets.max_vertices.value_or(limits.vertices));
+  const std::string count = std::to_string(most) + " vertices";
+  const std::string memory = "about " + short_number(std::round(expected_memory_mb(input, most)), 6) + " MB";
+  if (input.targets.vertices) return "aims at " + count + ", " + memory;
+  return "at most " + count + (input.targets.max_vertices ? ", " : " (the safety limit), ") + memory;
+}
+
+std::string trial_text(const IterationRow& row) {
+  std::string text = "tried out on " + std::to_string(row.vertices) + " vertices";
+  const int free_constants = row.solve_report ? row.solve_report->null_components : 0;
+  if (free_constants > 0)
+    text += " (the data leave " + std::to_string(free_constants) + (free_constants > 1 ? " constants" : " constant") +
+            " free)";
+  return text;
 }
 
 ExitCode check_one(const std::string& file, const CommonOptions& common) {
   try {
     const Case input = read_case(file);
+    const IterationRow row = try_out(input, common.limits.vertices);
     if (!common.quiet) {
       std::cout << escape_control(file) << ": valid, " << input.domain.points.size() << " points, "
-                << input.domain.segments.size() << " segments, " << expected_size(input, common.limits) << std::endl;
+                << input.domain.segments.size() << " segments, " << trial_text(row) << "; "
+                << expected_size(input, common.limits) << std::endl;
     }
     return ExitCode::Done;
-  } catch (const InputError&) {
-    return report_current_exception();
+  } catch (const std::runtime_error&) {
+    return report_current_exception(file);
   }
 }
 
@@ -48,7 +63,8 @@ ExitCode check(const CheckArguments& arguments) {
 }  // namespace
 
 Command add_check_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("check", "Validates case files without running them");
+  CLI::App* app =
+      program.add_subcommand("check", "Validates case files and tries each out on a coarse mesh, without running it");
   const auto arguments = std::make_shared<CheckArguments>();
   app->add_option("CASE", arguments->files, "Case files")->required()->option_text("...");
   add_common_options(*app, arguments->common);

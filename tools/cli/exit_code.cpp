@@ -11,15 +11,6 @@
 #include "tools/cli/escape.h"
 
 namespace parmesan {
-namespace {
-
-ExitCode fail(ExitCode code, const std::string& message) {
-  print_error(message);
-  return code;
-}
-
-}  // namespace
-
 void print_error(const std::string& message) {
   std::cerr << "parmesan: error: " << escape_control(message, true) << std::endl;
 }
@@ -28,7 +19,11 @@ void print_warning(const std::string& message) {
   std::cerr << "parmesan: warning: " << escape_control(message, true) << std::endl;
 }
 
-ExitCode report_current_exception() {
+ExitCode report_current_exception(const std::string& file) {
+  const auto fail = [&file](ExitCode code, const std::string& message) {
+    print_error(file.empty() || message.starts_with(file) ? message : file + ": " + message);
+    return code;
+  };
   try {
     throw;
   } catch (const GeometryError& e) {
