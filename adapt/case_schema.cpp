@@ -404,7 +404,7 @@ constexpr const char* kSchema = R"schema({
     },
     "output": {
       "type": "object", "additionalProperties": false, "patternProperties": { "^x-": {} },
-      "properties": { "formats": { "type": "array", "items": { "enum": ["vtu", "mesh", "svg", "png"] },
+      "properties": { "formats": { "type": "array", "items": { "enum": ["vtu", "mesh", "msh", "svg", "png"] },
                                    "default": ["vtu", "mesh", "svg"] } }
     },
     "limits": {

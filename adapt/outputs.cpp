@@ -13,6 +13,7 @@
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
+#include "mesher/io/msh.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/svg.h"
 #include "mesher/io/vtu.h"
@@ -29,8 +30,8 @@ void make_folder(const std::string& path) {
 }
 
 // What a run or a comparison writes at its end, so that nothing of an earlier one is left to mislead.
-constexpr std::array final_files{"summary.json", "report.html", "mesh.vtu",    "mesh.mesh",      "mesh.svg",
-                                 "mesh.png",     "run.pvd",     "compare.csv", "convergence.csv"};
+constexpr std::array final_files{"summary.json", "report.html", "mesh.vtu", "mesh.mesh",   "mesh.msh",
+                                 "mesh.svg",     "mesh.png",    "run.pvd",  "compare.csv", "convergence.csv"};
 constexpr std::array files_on_the_way{"case.json", "iterations", "checkpoint"};
 
 void remove_files(const std::string& path, std::span<const char* const> names) {
@@ -147,6 +148,7 @@ void RunFolder::finish(const Summary& summary, const Iterate& last) {
     write_vtu(file("mesh.vtu"), last.mesh, fields_of(case_, last));
   }
   if (wants("mesh")) write_medit(file("mesh.mesh"), last.mesh);
+  if (wants("msh")) write_msh(file("mesh.msh"), last.mesh, fields_of(case_, last));
   if (wants("svg")) write_svg(file("mesh.svg"), last.mesh, picture_of(case_, last));
   if (wants("png")) write_png(file("mesh.png"), last.mesh, picture_of(case_, last));
   write_file(file("convergence.csv"), convergence_csv(summary));

@@ -141,7 +141,8 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
   CHECK(issues_with(R"(, "metric": [])") == "/metric: must be an object { }, not a list of 0\n");
   CHECK(issues_with(R"(, "title": null)") == "/title: must be a text, not null\n");
   CHECK(issues_with(R"(, "output": {"formats": ["vtk"]})") ==
-        "/output/formats/0: must be one of 'vtu', 'mesh', 'svg', 'png', not the text 'vtk'; did you mean 'vtu'?\n");
+        "/output/formats/0: must be one of 'vtu', 'mesh', 'msh', 'svg', 'png', not the text 'vtk'; did you mean "
+        "'vtu'?\n");
   CHECK_THAT(issues_with(R"(, "name": "../../etc")"), Catch::Contains("must name a folder"));
   CHECK_THAT(issues_with(R"(, "name": "")"), Catch::Contains("must name a folder"));
   CHECK_THAT(issues_with(R"(, "metric": {"gradation": 0.9})"), Catch::Contains("above 1"));

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "adapt/compare.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
+#include "mesher/io/msh.h"
 #include "tests/adapt/loop_cases.h"
 
 using namespace parmesan;
@@ -48,6 +50,22 @@ TEST_CASE("run_case leaves what users were promised", "[adapt][run]") {
   CHECK(mesh.num_vertices() == result.summary.iterations.back().vertices);
   CHECK(read_medit_metric(folder.file("iterations/001/metric.sol")).size() ==
         static_cast<std::size_t>(result.summary.iterations[1].vertices));
+}
+
+TEST_CASE("a Gmsh mesh of a run has the names of its sides, and its fields", "[adapt][run]") {
+  const TemporaryFolder folder("run_msh");
+  Case input = support::poisson_case("x*y", small);
+  input.output.formats = {"msh", "mesh"};
+  run_case(input, into(folder));
+  const MeshData data = read_msh(folder.file("mesh.msh"));
+  const Mesh mesh = read_medit(folder.file("mesh.mesh"));
+  CHECK(data.mesh.points == mesh.points);
+  CHECK(data.mesh.num_triangles() == mesh.num_triangles());
+  std::set<std::string> names;
+  for (const auto& [label, name] : data.mesh.label_names) names.insert(name);
+  CHECK(names.contains("left"));
+  CHECK(data.fields.points.front().name == "solution");
+  CHECK(data.fields.points.front().values.size() == mesh.points.size());
 }
 
 TEST_CASE("the same case leaves the same mesh file", "[adapt][run]") {

@@ -20,7 +20,7 @@ const std::string square = R"("geometry": {"rectangle": {"min": [0, 0], "max": [
 const std::string small_run = R"json({"name": "small", )json" + square + R"json(,
   "problem": {"exact": "x^2*y", "boundary": {"*": {"dirichlet": "exact"}}},
   "targets": {"vertices": 120, "max_iterations": 2}, "initial": {"vertices": 100}, "mesher": {"preset": "fast"},
-  "output": {"formats": ["vtu", "mesh", "svg", "png"]}})json";
+  "output": {"formats": ["vtu", "mesh", "msh", "svg", "png"]}})json";
 
 /// Ways to hand the program a file of this name.
 std::vector<std::vector<std::string>> readers(const std::string& name) {
