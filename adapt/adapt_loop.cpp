@@ -157,6 +157,9 @@ class Loop {
     rows.push_back(measure(case_, last, static_cast<int>(rows.size()), state_.limit));
     for (std::string& warning : last.report.warnings) warn_once(std::move(warning));
     last.report.warnings.clear();
+    if (rows.size() == 1 && case_.given) {
+      if (std::optional<std::string> beyond = warn_beyond(*case_.given, last.mesh)) warn_once(std::move(*beyond));
+    }
     const double excess = excess_of(rows.back());
     const bool adapted = rows.size() > 1 || options_.start || is_continued_;
     state_.history.push_back({state_.asked, static_cast<double>(last.mesh.num_vertices()), excess, adapted});

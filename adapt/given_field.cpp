@@ -1,6 +1,8 @@
 #include "adapt/given_field.h"
 
+#include "adapt/number_text.h"
 #include "fem/p1.h"
+#include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/mesh_walk.h"
 
 namespace parmesan {
@@ -42,6 +44,26 @@ ExactFunction function_of(const std::shared_ptr<const GivenField>& field) {
   const auto lookup = std::make_shared<Lookup>(field);
   return {[lookup](const Point& p) { return lookup->value(p); },
           [lookup](const Point& p) { return lookup->gradient(p); }};
+}
+
+std::optional<std::string> warn_beyond(const GivenField& field, const Mesh& mesh) {
+  constexpr double much = 1e-3;
+  MeshWalk walk(field.mesh);
+  double farthest = 0.0;
+  Point where;
+  for (const Point& p : mesh.points) {
+    const auto [triangle, weights] = walk.locate(p);
+    Point nearest;
+    for (std::size_t k = 0; k < 3; ++k)
+      nearest = nearest + weights[k] * field.mesh.points[static_cast<std::size_t>(field.mesh.triangles[triangle][k])];
+    if (norm(p - nearest) <= farthest) continue;
+    farthest = norm(p - nearest);
+    where = p;
+  }
+  if (farthest <= much * bounding_diagonal(field.mesh.points)) return std::nullopt;
+  return "the domain reaches beyond the mesh of the given function, by about " + short_number(farthest, 2) + " at (" +
+         short_number(where.x, 4) + ", " + short_number(where.y, 4) +
+         "): there the function goes on with the value of the nearest place";
 }
 
 }  // namespace parmesan

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "fem/norms.h"
@@ -17,5 +19,8 @@ struct GivenField {
 /// The function and its gradient, constant on each triangle; outside of the mesh a place of it nearby decides.
 /// For one thread at a time: it is looked up from the place before.
 ExactFunction function_of(const std::shared_ptr<const GivenField>& field);
+
+/// A warning where a mesh of the case's domain reaches beyond the field's by more than a thousandth of that one's size.
+std::optional<std::string> warn_beyond(const GivenField& field, const Mesh& mesh);
 
 }  // namespace parmesan

@@ -1,5 +1,6 @@
 #include "adapt/given_field.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -54,6 +55,22 @@ TEST_CASE("function_of is the P1 function with the values at the vertices", "[ad
   CHECK(far.x == Approx(2.0).epsilon(1e-9));
   CHECK(far.y == Approx(-3.0).epsilon(1e-9));
   CHECK(f.value({-1e-9, 0.5}) == Approx(f.value({0.0, 0.5})).epsilon(1e-6));  // outside: a place nearby
+}
+
+TEST_CASE("a domain that reaches beyond the mesh of its function is warned of", "[adapt][given][loop]") {
+  const auto warnings = [](const char* name, double width) {
+    Mesh mesh = support::rectangle_mesh(8, 8);
+    for (Point& p : mesh.points) p.x *= width;
+    const GivenCase data(name, mesh);
+    return adapt(data.read(files, R"(, "targets": {"vertices": 100, "max_iterations": 1})"), {}).summary.warnings;
+  };
+  const auto says = [](const std::string& text) { return text.find("reaches beyond") != std::string::npos; };
+  const std::vector<std::string> short_of = warnings("short", 0.75);
+  const auto found = std::ranges::find_if(short_of, says);
+  REQUIRE(found != short_of.end());
+  CHECK_THAT(*found, Catch::Contains("by about 0.2"));
+  CHECK(std::ranges::none_of(warnings("enough", 1.0), says));
+  CHECK(std::ranges::none_of(warnings("more", 1.5), says));
 }
 
 TEST_CASE("a mesh is adapted to a function from a file as to its expression", "[adapt][given][loop][slow]") {
