@@ -5,7 +5,11 @@ namespace parmesan {
 std::vector<double> continuation_factors(double largest) {
   constexpr double step = 4.0;  // layers as thick as the root of the diffusion become half as thick
   std::vector<double> factors;
-  for (double factor = largest; factor > 1.0; factor /= step) factors.push_back(factor);
+  double factor = largest;
+  while (factor > 1.0) {
+    factors.push_back(factor);
+    factor /= step;
+  }
   return factors;
 }
 
