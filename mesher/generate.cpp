@@ -106,7 +106,7 @@ ScratchStart scratch_start(const Domain& domain, const Outline& outline, const M
   const double expected = expected_vertices(std::max(seen, held));
   check_size(expected, max_vertices);
   if (held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(coarser_levels(expected)));
-  return {std::move(mesh), std::move(overlooked), expected};
+  return {std::move(mesh), overlooked, expected};
 }
 
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no

@@ -146,6 +146,7 @@ BackgroundMesh graded(SizedPlaces places, double growth) {
     for (const VertexId v : converted.slots) metrics.push_back(Metric::isotropic(places.sizes[at(v)]));
     metrics = limit_gradation(converted.mesh, metrics, growth).metrics;
     std::vector<double> sizes;
+    sizes.reserve(metrics.size());
     for (const Metric& m : metrics) sizes.push_back(1.0 / std::sqrt(m.tensor().xx));
     const SizedPlaces between = places_between(converted.mesh, sizes, growth);
     if (between.points.empty() || pass == most_passes) return {converted.mesh, metrics};
