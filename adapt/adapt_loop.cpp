@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "adapt/loop_warnings.h"
 #include "adapt/second_derivatives.h"
 #include "adapt/stopwatch.h"
+#include "adapt/targets.h"
 #include "mesher/errors.h"
 #include "mesher/metric/tensor_interpolant.h"
 
@@ -100,6 +100,10 @@ class Loop {
     } else {
       start_uniform();
     }
+    if (case_.given) {
+      if (std::optional<std::string> beyond = warn_beyond(*case_.given, state_.last.mesh))
+        summary.warnings.push_back(std::move(*beyond));
+    }
     if (case_.exact && !state_.limit) state_.limit = interpolation_limit(state_.last.mesh, *case_.exact);
     if (state_.limit && efficiency(1.0, 1.0, *state_.limit)) summary.interpolation_limit = state_.limit->value;
   }
@@ -157,9 +161,6 @@ class Loop {
     rows.push_back(measure(case_, last, static_cast<int>(rows.size()), state_.limit));
     for (std::string& warning : last.report.warnings) warn_once(std::move(warning));
     last.report.warnings.clear();
-    if (rows.size() == 1 && case_.given) {
-      if (std::optional<std::string> beyond = warn_beyond(*case_.given, last.mesh)) warn_once(std::move(*beyond));
-    }
     const double excess = excess_of(rows.back());
     const bool adapted = rows.size() > 1 || options_.start || is_continued_;
     state_.history.push_back({state_.asked, static_cast<double>(last.mesh.num_vertices()), excess, adapted});
@@ -315,37 +316,6 @@ class Loop {
 };
 
 }  // namespace
-
-double target_excess(const Targets& targets, const ErrorNorms& error, double goal) {
-  if (!declares_error_target(targets)) return std::isnan(error.l2) ? HUGE_VAL : error.l2;
-  double excess = 0.0;
-  const auto consider = [&excess](const std::optional<double>& target, double value, bool squared) {
-    if (!target) return;
-    const double ratio = value / *target;
-    const double scaled = squared ? ratio * ratio : ratio;
-    excess = std::isnan(scaled) ? std::numeric_limits<double>::infinity() : std::max(excess, scaled);
-  };
-  consider(targets.l2_error, error.l2, false);
-  consider(targets.linf_error, error.linf, false);
-  consider(targets.h1_error, error.h1, true);
-  consider(targets.goal_error, goal, false);
-  return excess;
-}
-
-bool declares_error_target(const Targets& targets) { return declares_norm_target(targets) || targets.goal_error; }
-
-bool declares_norm_target(const Targets& targets) { return targets.l2_error || targets.h1_error || targets.linf_error; }
-
-ErrorMeasure error_measure(const Targets& targets) {
-  const bool only_h1 = targets.h1_error && !targets.l2_error && !targets.linf_error;
-  return only_h1 ? ErrorMeasure::H1 : ErrorMeasure::Lp;
-}
-
-bool is_round_off(double l2, std::span<const double> values) {
-  double largest = 0.0;
-  for (const double v : values) largest = std::max(largest, std::abs(v));
-  return l2 <= 1e-14 * largest;
-}
 
 LoopResult adapt(const Case& input, const LoopOptions& options) { return Loop(input, options).run(); }
 

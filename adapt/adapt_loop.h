@@ -3,9 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
-#include <span>
 
 #include "adapt/case.h"
 #include "adapt/iterate.h"
@@ -33,24 +31,6 @@ struct LoopResult {
   Iterate last;
   std::optional<InterpolationLimit> limit;  // absent without an exact function
 };
-
-/// How far the errors are from the case's targets: the largest of error / target, squared for H1 so
-/// that it falls like 1 / vertices. Without error targets the L2 error itself. NaN counts as missed.
-/// goal: the size of the goal's error.
-double target_excess(const Targets& targets, const ErrorNorms& error,
-                     double goal = std::numeric_limits<double>::quiet_NaN());
-
-/// Does the case declare an error target, of a norm or of a goal?
-bool declares_error_target(const Targets& targets);
-
-/// Does it declare one of a norm?
-bool declares_norm_target(const Targets& targets);
-
-/// The error that metrics are to make small: H1 where the case's only error target is an H1 error.
-ErrorMeasure error_measure(const Targets& targets);
-
-/// Whether an L2 error is no more than the round-off of a function with these nodal values: 1e-14 of the largest.
-bool is_round_off(double l2, std::span<const double> values);
 
 /// Mesh, solve, measure, recover, metric, remesh from the previous particles, until the targets are
 /// met or a budget is spent (see StopReason and next_size). The first mesh is uniform, or that of

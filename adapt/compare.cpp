@@ -12,6 +12,7 @@
 #include "adapt/outputs.h"
 #include "adapt/report/report.h"
 #include "adapt/stopwatch.h"
+#include "adapt/targets.h"
 #include "mesher/errors.h"
 #include "mesher/io/output_file.h"
 #include "mesher/triangulation/refine.h"

@@ -81,7 +81,11 @@ double of_exact(const Problem& problem, const GoalFunctional& goal, const Mesh& 
 
 GoalFunctional goal_functional(const CaseFunctional& functional, const Mesh& mesh) {
   GoalFunctional goal;
-  if (functional.kind == Kind::Value) goal.points.push_back({functional.point, 1.0});
+  if (functional.kind == Kind::Value) {
+    if (triangles_at(mesh, functional.point).empty())
+      throw ProblemError("/functionals/" + functional.name + "/value: the point lies outside of the domain");
+    goal.points.push_back({functional.point, 1.0});
+  }
   if (functional.kind == Kind::Integral) {
     goal.density = [weight = weight_of(functional), where = functional.where, names = mesh.region_names](const Point& p,
                                                                                                          int region) {
@@ -100,8 +104,6 @@ GoalFunctional goal_functional(const CaseFunctional& functional, const Mesh& mes
 
 double evaluate(const CaseFunctional& functional, const Mesh& mesh, std::span<const double> values,
                 const std::map<int, double>& fluxes) {
-  if (functional.kind == Kind::Value && triangles_at(mesh, functional.point).empty())
-    throw ProblemError("/functionals/" + functional.name + "/value: the point lies outside of the domain");
   const GoalFunctional goal = goal_functional(functional, mesh);
   double sum = value_of(functional_vector(mesh, goal), values);
   for (const int label : goal.fluxes) {

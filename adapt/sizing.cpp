@@ -136,10 +136,9 @@ SizeDecision when_met(std::span<const SizeStep> history, const SizeGoal& goal) {
 }
 
 // The growth per pass that leads to the size aimed at with passes left to settle there, where these grow short.
-std::optional<double> hurried_growth(std::span<const SizeStep> history, const SizeGoal& goal) {
-  if (goal.error_targets || !goal.vertices || goal.max_passes == 0) return std::nullopt;
-  const double factor = std::min(*goal.vertices, goal.cap.value_or(HUGE_VAL)) / history.back().asked;
-  if (factor <= 1.0) return std::nullopt;
+std::optional<double> hurried_growth(std::span<const SizeStep> history, const SizeGoal& goal, double wanted) {
+  const double factor = wanted / history.back().asked;
+  if (goal.error_targets || !goal.vertices || goal.max_passes == 0 || factor <= 1.0) return std::nullopt;
   const int left = goal.max_passes - static_cast<int>(history.size());
   const int climbs = static_cast<int>(std::ceil(std::log(factor) / std::log(max_growth)));
   if (left >= climbs + passes_at_aim) return std::nullopt;
@@ -165,7 +164,7 @@ SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) 
   const bool at_size = !goal.error_targets && goal.vertices && last.asked >= *goal.vertices * (1.0 - 1e-12);
   const bool aimless = !goal.error_targets && !goal.vertices && !goal.cap;
   const double wanted = std::min(wanted_size(history, goal), goal.cap.value_or(HUGE_VAL));
-  if (const std::optional<double> growth = hurried_growth(history, goal))
+  if (const std::optional<double> growth = hurried_growth(history, goal, wanted))
     return {std::min(wanted, *growth * last.asked), std::nullopt};
   const bool near_target = goal.error_targets && last.adapted && !at_cap && wanted <= same_size * last.asked;
   const std::optional<double> aim = at_size ? goal.vertices : std::nullopt;

@@ -19,8 +19,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool has_curves(const Domain& domain) { return !domain.curves.empty(); }
-
 const Segment& segment_of(const Mesh& mesh, const Domain& domain, int edge) {
   return domain.segments[at(mesh.labels[at(edge)])];
 }

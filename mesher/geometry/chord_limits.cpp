@@ -118,7 +118,7 @@ std::vector<double> least_gaps(const Domain& domain, const Outline& outline) {
 void limit_chord_errors(Domain& domain, const Outline& outline, double share_of_extent) {
   constexpr double share_of_gap = 1.0 / 8.0;
   constexpr int halvings = 10;
-  if (std::ranges::all_of(domain.segments, &Segment::is_straight)) return;
+  if (!has_curves(domain)) return;
   const Gap gap = gap_of_arcs(domain, outline);
   const std::vector<double> least = least_gaps(domain, outline);
   std::vector<std::vector<double>> samples;

@@ -19,10 +19,6 @@ constexpr double least_angle = 1e-6;  // at which segments cross and do not touc
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool has_curves(const Domain& domain) {
-  return std::any_of(domain.segments.begin(), domain.segments.end(), [](const Segment& s) { return !s.is_straight(); });
-}
-
 void halve_between(const Curve& curve, double t0, double t1, double tolerance, int depth, std::vector<double>& found) {
   constexpr double max_turn = std::numbers::pi / 18.0;
   constexpr int max_depth = 30;

@@ -243,8 +243,7 @@ OutlineResult ChordSearch::run() {
 }  // namespace
 
 OutlineResult find_outline(const Domain& domain) {
-  if (std::ranges::any_of(domain.segments, [](const Segment& s) { return !s.is_straight(); }))
-    return ChordSearch(domain).run();
+  if (has_curves(domain)) return ChordSearch(domain).run();
   std::vector<int> segments(domain.segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) segments[s] = static_cast<int>(s);
   return {{domain, std::move(segments)}, std::nullopt};

@@ -1,5 +1,7 @@
 #include "mesher/geometry/segment_path.h"
 
+#include <algorithm>
+
 namespace parmesan {
 namespace {
 
@@ -10,6 +12,8 @@ const Curve& curve_of(const Domain& domain, const Segment& segment) {
 }
 
 }  // namespace
+
+bool has_curves(const Domain& domain) { return !std::ranges::all_of(domain.segments, &Segment::is_straight); }
 
 Point point_on(const Domain& domain, const Segment& segment, double t) {
   if (segment.is_straight()) return lerp(point(domain, segment.a), point(domain, segment.b), t);

@@ -6,6 +6,9 @@
 
 namespace parmesan {
 
+/// Whether any segment runs along a curve.
+bool has_curves(const Domain& domain);
+
 /// The point of a segment at a parameter from 0, its end a, to 1, its end b: on the straight line, or on its curve.
 Point point_on(const Domain& domain, const Segment& segment, double t);
 
