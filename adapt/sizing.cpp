@@ -19,7 +19,7 @@ constexpr double careful_share = 0.75;
 constexpr double still_falling = 1.5;
 constexpr double settled_gain = 1.05;
 constexpr int max_passes = 8;
-constexpr double worth_shrinking = 0.92;  // of the vertices that a mesh has which meets the targets
+constexpr double worth_shrinking = 0.95;  // of the vertices that a mesh has which meets the targets
 constexpr double largest_shrink = 0.5;
 constexpr int max_shrinks = 2;
 constexpr std::size_t passes_to_return = 3;
@@ -129,7 +129,8 @@ SizeDecision when_met(std::span<const SizeStep> history, const SizeGoal& goal) {
   const SizeDecision stop{last.asked, StopReason::ErrorTarget};
   if (!goal.may_shrink || !last.adapted || num_shrinks(history) >= max_shrinks) return stop;
   if (static_cast<int>(history.size() + passes_to_return) > goal.max_passes) return stop;
-  const double enough = (1.0 + margin) * predicted_vertices(last.vertices, last.error, 1.0, observed_order(history));
+  const double share = only_begins_to_resolve(history) ? careful_share : 1.0 + margin;
+  const double enough = share * predicted_vertices(last.vertices, last.error, 1.0, observed_order(history));
   const double asked = std::max({enough, largest_shrink * last.vertices, history.front().asked});
   const bool is_smaller = asked < std::min(worth_shrinking * last.vertices, last.asked);
   return is_smaller ? SizeDecision{asked, std::nullopt} : stop;

@@ -58,8 +58,9 @@ double observed_order(std::span<const SizeStep> history);
 ///   Of a prediction beyond 1.5 times the last size only 3/4 is asked for: a mesh that has not yet
 ///   found all of a layer improves faster than the observed order says.
 ///
-/// - a mesh that meets the targets with 8 % more vertices than they are predicted to need is made smaller, at most
-///   twice and as long as 3 of max_passes are left to come back if the prediction was wrong;
+/// - a mesh that meets the targets with 5 % more vertices than they are predicted to need is made smaller, to 3/4 of
+///   the prediction where the error fell faster than order 1.5, at most twice and as long as 3 of max_passes are left
+///   to come back if the prediction was wrong;
 /// - towards a size aimed at, none of this holds it back from growing when max_passes would end the loop before it has
 ///   had 3 passes at that size.
 ///

@@ -36,10 +36,12 @@ class FastSchedule {
   void run();
 
  private:
+  bool is_unresolved() const;
   bool is_settled() const;
   void match_population();
   void mend_population();
   void relax(const Blocks& blocks, int sweeps, SweepOptions sweep_options);
+  void play_rounds(int rounds);
 
   ParticleSystem& particles_;
   const FastScheduleOptions& options_;
@@ -50,11 +52,15 @@ class FastSchedule {
   int sweeps_done_ = 0;
 };
 
+bool FastSchedule::is_unresolved() const {
+  constexpr double many = 0.1;
+  return unresolved_share(particles_) >= many;
+}
+
 // Where the metric is not resolved, what the rules of population ask for is as much an accident of sampling.
 bool FastSchedule::is_settled() const {
   constexpr double right_area = 0.04;
-  constexpr double many_unresolved = 0.1;
-  const double small_demand = unresolved_share(particles_) < many_unresolved ? 0.006 : 0.013;
+  const double small_demand = is_unresolved() ? 0.013 : 0.006;
   return options_.may_be_settled && std::abs(area_per_particle(particles_) - 1.0) < right_area &&
          population_demand(particles_, rules_) < small_demand;
 }
@@ -90,17 +96,24 @@ void FastSchedule::relax(const Blocks& blocks, int sweeps, SweepOptions sweep_op
   }
 }
 
+void FastSchedule::play_rounds(int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    match_population();
+    relax(Blocks(particles_), options_.sweeps_per_round, {.momentum = options_.momentum, .forces = forces_});
+  }
+}
+
 // Momentum and rounds bring a start that is off to equilibrium. A settled one, with the metric exact
 // at its vertices, would only lose that by moving where the metric is not resolved.
 void FastSchedule::run() {
   flip_all(particles_);
   const bool settled = is_settled();
-  const int rounds = settled ? 0 : options_.rounds;
   const double momentum = settled ? 0.0 : options_.momentum;
-  if (settled) mend_population();
-  for (int round = 0; round < rounds; ++round) {
-    match_population();
-    relax(Blocks(particles_), options_.sweeps_per_round, {.momentum = momentum, .forces = forces_});
+  if (settled) {
+    mend_population();
+  } else {
+    play_rounds(options_.rounds);
+    if (is_unresolved()) play_rounds(options_.further_rounds);
   }
   const Blocks blocks(particles_);
   relax(blocks, options_.final_force_sweeps, {.momentum = momentum, .forces = forces_, .only_resolved = settled});
@@ -113,7 +126,7 @@ void FastSchedule::run() {
 }  // namespace
 
 FastScheduleOptions fast_schedule_options(const GenerateOptions& options) {
-  FastScheduleOptions effort;  // good
+  FastScheduleOptions effort{.further_rounds = 12};  // good
   if (options.preset == Preset::Mid)
     effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 4, .final_apex_sweeps = 2};
   if (options.preset == Preset::Fast)

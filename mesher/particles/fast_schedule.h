@@ -12,6 +12,7 @@ struct FastScheduleOptions {
   int final_force_sweeps = 8;
   int final_apex_sweeps = 3;
   int repairs = 1;
+  int further_rounds = 0;          // where a tenth of the particles or more does not resolve the metric
   bool may_be_settled = true;      // a start that wants few changes keeps its population
   double momentum = 0.35;          // beta of thesis 3.13, while the population settles
   ParticleOptions particles = {};  // forces, and how particles come and go

@@ -14,7 +14,7 @@
 namespace parmesan {
 namespace {
 
-constexpr double longest = 1.36;
+constexpr double longest = 1.34;
 constexpr double poor_quality = 0.7;
 constexpr double strict_poor_quality = 0.65;
 constexpr double suspect_quality = 0.9;  // above it no triangle is so poor in the densest metric
