@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "adapt/all_finite.h"
 #include "adapt/archive.h"
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"
@@ -152,10 +153,6 @@ void check_mesh(const Mesh& mesh) {
   } catch (const GeometryError& error) {
     throw InputError(std::string("has a mesh that cannot be used: ") + error.what());
   }
-}
-
-bool all_finite(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
 template <class Enumeration>

@@ -20,8 +20,6 @@
 namespace parmesan {
 namespace {
 
-constexpr std::array families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
-
 CompareRow row_of(MeshFamily family, const IterationRow& measured, std::span<const double> values, double cpu_seconds) {
   CompareRow row;
   row.family = family;

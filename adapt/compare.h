@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -17,6 +18,7 @@ namespace parmesan {
 
 /// The families of meshes that are compared.
 enum class MeshFamily { Anisotropic, Isotropic, Uniform };
+inline constexpr std::array families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
 
 /// How a comparison is made.
 struct CompareOptions {

@@ -12,7 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
 constexpr std::array<std::size_t, 8> widths{11, 10, 12, 12, 12, 12, 12, 10};
 
 Json number(const std::optional<double>& x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }

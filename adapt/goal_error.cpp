@@ -10,16 +10,12 @@
 #include "fem/boundary_conditions.h"
 #include "fem/quadratic.h"
 #include "fem/recovery.h"
+#include "fem/vector_of.h"
+#include "mesher/index.h"
 #include "mesher/triangulation/refine.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
 
 /// The red refinement of a mesh and the ends of the edge that each new vertex halves.
 struct Refinement {

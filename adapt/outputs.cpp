@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapt/all_finite.h"
 #include "adapt/io/png.h"
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"
@@ -78,10 +79,6 @@ bool is_empty(const std::string& path) {
     if (entry.path().filename() != FolderLock::file_name) return false;
   if (error) throw FileError(path, 0, "cannot be read: " + error.message());
   return true;
-}
-
-bool all_finite(const std::vector<double>& values) {
-  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
 PictureOptions picture_of(const Case& input, const Iterate& last) {

@@ -17,6 +17,9 @@ function(parmesan_compile_options target)
     # false alarms on string + string, GCC bug 105651
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
   endif()
+  if(CMAKE_UNITY_BUILD)
+    target_compile_options(${target} PRIVATE -Wno-shadow)  # by names of the file before
+  endif()
   if(NOT OpenMP_CXX_FOUND)
     target_compile_options(${target} PRIVATE -Wno-unknown-pragmas)
   endif()

@@ -10,14 +10,11 @@
 #include "fem/estimators.h"
 #include "fem/nodal_correction.h"
 #include "fem/recovery.h"
+#include "fem/vector_of.h"
 
 namespace parmesan {
 
 namespace {
-
-Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
 
 double l2_norm(const Eigen::VectorXd& mass, const Eigen::VectorXd& values) {
   return std::sqrt(mass.dot(values.cwiseAbs2()));

@@ -7,16 +7,12 @@
 #include "fem/p1.h"
 #include "fem/singular_vertices.h"
 #include "fem/solve.h"
+#include "fem/vector_of.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
 
 /// What the P1 function with these values is at a place of a mesh.
 double value_at(const Mesh& mesh, const TrianglePlace& place, std::span<const double> values) {

@@ -15,8 +15,8 @@ namespace parmesan {
 namespace {
 
 constexpr double Tolerance = 1e-3;         // of the mean integral per triangle
-constexpr int MaxDepth = 14;               // of the subdivision
-constexpr std::size_t MaxParts = 40'000;   // of one level; a line on which the gradient is infinite asks for any number
+constexpr int MaxLevels = 14;              // of the subdivision
+constexpr std::size_t MaxOpen = 40'000;    // of one level; a line on which the gradient is infinite asks for any number
 constexpr int SkipDegree10Above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
 constexpr std::size_t NumPeaks = 64;       // triangles whose largest error is looked for more closely
 constexpr int PeakDepth = 3;               // levels of subdivision there
@@ -118,7 +118,7 @@ class CheckedQuadrature {
 };
 
 /// A triangle or a part of one whose integrals are not confirmed.
-struct Part {
+struct OpenTriangle {
   std::size_t triangle = 0;
   Corners corners{};
   double area = 0.0;
@@ -172,7 +172,7 @@ class MeshError {
       largest[t] = std::max(largest[t], integrals.largest);
       sum.add(integrals);
     };
-    std::vector<Part> open;
+    std::vector<OpenTriangle> open;
     const auto visit = [&](std::size_t t, const Corners& corners, double area, int depth) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       const Estimate estimate = quadrature.integrate(error_on(element, t), corners, area, depth);
@@ -183,12 +183,12 @@ class MeshError {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       visit(t, element.p, element.area, 0);
     }
-    for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + largest.size(); ++depth) {
-      for (const Part& part : std::exchange(open, {})) {
-        for (const Corners& child : subdivide(part.corners)) visit(part.triangle, child, 0.25 * part.area, depth);
+    for (int depth = 1; depth <= MaxLevels && 4 * open.size() <= MaxOpen + largest.size(); ++depth) {
+      for (const OpenTriangle& parent : std::exchange(open, {})) {
+        for (const Corners& child : subdivide(parent.corners)) visit(parent.triangle, child, 0.25 * parent.area, depth);
       }
     }
-    for (const Part& part : open) add(part.triangle, part.integrals);
+    for (const OpenTriangle& last : open) add(last.triangle, last.integrals);
     for (const std::size_t t : peaks(largest)) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       sum.largest = std::max(sum.largest, sampled_maximum(error_on(element, t), element.p, PeakDepth));

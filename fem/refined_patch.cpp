@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "fem/p1.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -16,8 +17,6 @@ namespace {
 
 constexpr int pieces = 4;   // of each side of a triangle
 constexpr int strips = 12;  // on the way to a center
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 using Edge = std::array<int, 2>;
 

@@ -16,11 +16,10 @@
 #include "fem/recovery.h"
 #include "fem/side_integrals.h"
 #include "fem/smooth_parts.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A symmetric tensor summed up from products d d^T.
 struct SymmetricProduct {

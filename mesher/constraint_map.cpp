@@ -6,22 +6,15 @@
 #include <numbers>
 
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
+#include "mesher/metric/metric_length.h"
 
 namespace parmesan {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::uint64_t edge_key(int a, int b) {
   const auto [low, high] = std::minmax(a, b);
   return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
-}
-
-bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
-// In the coordinates M^(1/2) x, dot and cross product are a^T M b and sqrt(det M) a x b (thesis 5.2, 5.3).
-double metric_angle(const Vector& a, const Vector& b, const Metric& m) {
-  return std::atan2(m.density() * std::abs(cross(a, b)), dot(a, m.tensor() * b));
 }
 
 }  // namespace
@@ -62,7 +55,7 @@ void ConstraintMap::find_isolated_points() {
   for (int p = 0; p < static_cast<int>(domain_.points.size()); ++p)
     if (segments_from_[at(p)].empty()) isolated.push_back(p);
   if (isolated.empty()) return;
-  const auto point_before = [this](int p, const Point& q) { return before(domain_.points[at(p)], q); };
+  const auto point_before = [this](int p, const Point& q) { return comes_before(domain_.points[at(p)], q); };
   std::sort(isolated.begin(), isolated.end(), [&](int p, int q) { return point_before(p, domain_.points[at(q)]); });
   for (int v = 0; v < mesh_.num_vertices(); ++v) {
     const Point& p = mesh_.points[at(v)];

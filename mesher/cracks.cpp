@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Corner of the triangle at the vertex: 3 t + k.
 int corner_at(const Mesh& mesh, int triangle, int vertex) {

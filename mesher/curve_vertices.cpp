@@ -13,11 +13,10 @@
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 const Segment& segment_of(const Mesh& mesh, const Domain& domain, int edge) {
   return domain.segments[at(mesh.labels[at(edge)])];

@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "mesher/constraint_map.h"
+#include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
 
 namespace parmesan {
 namespace {
 
 constexpr double poor_quality = 0.3;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Edge = std::pair<int, int>;  // two vertices, the lower first
 

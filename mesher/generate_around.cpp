@@ -8,12 +8,11 @@
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<bool> flags(const std::vector<int>& numbers, std::size_t size) {
   std::vector<bool> result(size, false);

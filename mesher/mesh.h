@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/geometry/point.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 

@@ -4,19 +4,11 @@
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/barycentric.h"
 #include "mesher/triangulation/neighbors.h"
 
 namespace parmesan {
-namespace {
-
-std::array<double, 3> clamped(std::array<double, 3> w) {
-  double sum = 0.0;
-  for (double& x : w) sum += x = std::max(x, 0.0);
-  for (double& x : w) x /= sum;
-  return w;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 MeshWalk::MeshWalk(const Mesh& mesh)
     : mesh_(mesh),

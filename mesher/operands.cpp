@@ -12,13 +12,12 @@
 #include "mesher/geometry/curve_crossings.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_tree.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
 
 constexpr double chord_share = 1e-4;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The number of segments between each face and the unbounded one, at least.
 std::vector<int> layers_of(const Domain& domain, const Faces& faces) {

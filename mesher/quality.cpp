@@ -6,13 +6,12 @@
 #include <string>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/triangulation/neighbors.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The edge opposite to corner k of triangle t is listed where t is the first of its two triangles.
 std::vector<std::array<int, 2>> unique_edges(const Mesh& mesh) {
@@ -50,12 +49,6 @@ double cosine(const Vector& a, const Vector& b) {
 }
 
 double degrees_of_cosine(double c) { return std::acos(c) * 180.0 / std::numbers::pi; }
-
-// The angle at the corner between its two boundary edges, in its own metric: in the coordinates
-// M^(1/2) x, dot product and cross product are a^T M b and sqrt(det M) a x b (thesis 5.2, 5.3).
-double metric_angle(const Vector& a, const Vector& b, const Metric& m) {
-  return std::atan2(m.density() * std::abs(cross(a, b)), dot(a, m.tensor() * b));
-}
 
 // Vertices where the boundary turns sharply: triangles there cannot be good. At the tip of a crack it turns all the way
 // round.

@@ -9,13 +9,12 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/repair.h"
+#include "mesher/index.h"
 #include "mesher/operands.h"
 #include "mesher/triangulation/faces.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 DomainRepair subdivide(Domain domain) {
   domain.regions.clear();

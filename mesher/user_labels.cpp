@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Does the edge of a mesh lead against the direction of its segment?
 bool is_against(const Mesh& mesh, const std::array<int, 2>& edge, const Domain& domain, const Segment& segment) {
@@ -27,8 +26,6 @@ bool has_cracks(const Domain& domain) {
   return std::ranges::any_of(domain.segments, [](const Segment& s) { return s.label_right.has_value(); });
 }
 
-bool comes_first(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
 }  // namespace
 
 RequiredParts required_parts(const Mesh& mesh, const Domain& domain) {
@@ -37,9 +34,9 @@ RequiredParts required_parts(const Mesh& mesh, const Domain& domain) {
     if (domain.segments[at(mesh.labels[at(e)])].required) required.edges.push_back(e);
   std::vector<Point> points;
   for (const int p : domain.required_points) points.push_back(domain.points[at(p)]);
-  std::sort(points.begin(), points.end(), comes_first);
+  std::sort(points.begin(), points.end(), comes_before);
   for (int v = 0; v < mesh.num_vertices() && !points.empty(); ++v)
-    if (std::binary_search(points.begin(), points.end(), mesh.points[at(v)], comes_first))
+    if (std::binary_search(points.begin(), points.end(), mesh.points[at(v)], comes_before))
       required.vertices.push_back(v);
   return required;
 }

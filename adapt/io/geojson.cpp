@@ -6,13 +6,12 @@
 
 #include "adapt/io/geojson_features.h"
 #include "mesher/delaunay_mesh.h"
+#include "mesher/index.h"
 #include "mesher/io/text.h"
 #include "mesher/mesh_sides.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void append_ring(const GeoRing& ring, int label, Domain& domain) {
   const int first = static_cast<int>(domain.points.size());

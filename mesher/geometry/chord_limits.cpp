@@ -7,11 +7,10 @@
 
 #include "mesher/geometry/segment_path.h"
 #include "mesher/geometry/segment_tree.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A chord of an outline: the segment it is a part of, and where it begins and ends on its curve.
 struct Chord {

@@ -9,6 +9,7 @@
 
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -16,8 +17,6 @@ namespace {
 constexpr double near_end = 1e-9;  // of a curve's extent
 constexpr double chord_share = 1e-6;
 constexpr double least_angle = 1e-6;  // at which segments cross and do not touch
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void halve_between(const Curve& curve, double t0, double t1, double tolerance, int depth, std::vector<double>& found) {
   constexpr double max_turn = std::numbers::pi / 18.0;

@@ -9,6 +9,7 @@
 #include "mesher/geometry/domain.h"
 #include "mesher/geometry/hole_seeds.h"
 #include "mesher/geometry/rounding.h"
+#include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 
 namespace parmesan {
@@ -66,9 +67,9 @@ class ChainJoiner {
       add_incidence(constraint(c).a, c);
       add_incidence(constraint(c).b, c);
     }
-    for (const int v : corners) is_corner_[index(v)] = true;
+    for (const int v : corners) is_corner_[at(v)] = true;
     for (int v = 0; v < static_cast<int>(points.size()); ++v) {
-      if (!is_corner(v) && !passes_straight(v)) is_corner_[index(v)] = true;
+      if (!is_corner(v) && !passes_straight(v)) is_corner_[at(v)] = true;
     }
   }
 
@@ -76,25 +77,24 @@ class ChainJoiner {
     std::vector<Segment> segments;
     std::vector<bool> is_done(constraints_.size(), false);
     for (int c = 0; c < static_cast<int>(constraints_.size()); ++c) {
-      if (is_done[index(c)] || !(is_corner(constraint(c).a) || is_corner(constraint(c).b))) continue;
+      if (is_done[at(c)] || !(is_corner(constraint(c).a) || is_corner(constraint(c).b))) continue;
       const std::vector<int> chain = chain_from(c, is_corner(constraint(c).a));
-      for (const int k : chain) is_done[index(k)] = true;
+      for (const int k : chain) is_done[at(k)] = true;
       append(chain, &segments);
     }
     return segments;
   }
 
  private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  const Constraint& constraint(int c) const { return constraints_[index(c)]; }
-  const Point& point(int v) const { return points_[index(v)]; }
-  bool is_corner(int v) const { return is_corner_[index(v)]; }
+  const Constraint& constraint(int c) const { return constraints_[at(c)]; }
+  const Point& point(int v) const { return points_[at(v)]; }
+  bool is_corner(int v) const { return is_corner_[at(v)]; }
   int other_end(int c, int v) const { return constraint(c).a == v ? constraint(c).b : constraint(c).a; }
 
   /// A third constraint makes v a corner.
   void add_incidence(int v, int c) {
-    auto& [first, second] = incident_[index(v)];
-    if (second >= 0) is_corner_[index(v)] = true;
+    auto& [first, second] = incident_[at(v)];
+    if (second >= 0) is_corner_[at(v)] = true;
     (first < 0 ? first : second) = c;
   }
 
@@ -103,7 +103,7 @@ class ChainJoiner {
   }
 
   bool passes_straight(int v) const {
-    const auto [c, d] = incident_[index(v)];
+    const auto [c, d] = incident_[at(v)];
     if (c < 0 || d < 0) return false;
     if (constraint(c).is_boundary != constraint(d).is_boundary) return false;
     if (constraint(c).is_required || constraint(d).is_required) return false;
@@ -118,7 +118,7 @@ class ChainJoiner {
     std::vector<int> chain{c};
     int v = from_start ? constraint(c).b : constraint(c).a;
     while (!is_corner(v)) {
-      c = incident_[index(v)][0] == c ? incident_[index(v)][1] : incident_[index(v)][0];
+      c = incident_[at(v)][0] == c ? incident_[at(v)][1] : incident_[at(v)][0];
       chain.push_back(c);
       v = other_end(c, v);
     }
@@ -142,7 +142,7 @@ class ChainJoiner {
     }
     for (const int c : chain) {
       segments->push_back(segment_of(constraint(c), constraint(c).a, constraint(c).b));
-      is_corner_[index(constraint(c).a)] = is_corner_[index(constraint(c).b)] = true;
+      is_corner_[at(constraint(c).a)] = is_corner_[at(constraint(c).b)] = true;
     }
   }
 

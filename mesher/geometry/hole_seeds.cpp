@@ -12,9 +12,10 @@ namespace parmesan {
 namespace {
 
 /// The directed boundary edges, with the loops around the faces to their right.
-class Outline {
+class BoundaryLoops {
  public:
-  Outline(std::span<const Point> points, std::span<const std::array<int, 2>> edges) : points_(points), edges_(edges) {
+  BoundaryLoops(std::span<const Point> points, std::span<const std::array<int, 2>> edges)
+      : points_(points), edges_(edges) {
     by_origin_.resize(edges.size());
     std::iota(by_origin_.begin(), by_origin_.end(), 0);
     std::sort(by_origin_.begin(), by_origin_.end(), [this](int e, int f) { return edge(e) < edge(f); });
@@ -105,10 +106,10 @@ class Outline {
 }  // namespace
 
 std::vector<Point> hole_seeds(std::span<const Point> points, std::span<const std::array<int, 2>> boundary) {
-  const Outline outline(points, boundary);
+  const BoundaryLoops all(points, boundary);
   std::vector<Point> seeds;
-  for (const std::vector<int>& loop : outline.loops()) {
-    if (outline.doubled_area_of(loop) < 0.0) seeds.push_back(outline.point_to_the_right(loop));
+  for (const std::vector<int>& loop : all.loops()) {
+    if (all.doubled_area_of(loop) < 0.0) seeds.push_back(all.point_to_the_right(loop));
   }
   return seeds;
 }

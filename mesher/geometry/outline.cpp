@@ -12,13 +12,12 @@
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/geometry/segment_tree.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
 
 constexpr int arcs_per_chord = 8;  // by which an arc is told from its chord
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A straight segment, or the chord of a curved one from t0 to t1.
 struct Chord {
@@ -32,8 +31,6 @@ struct Polygon {
   Domain domain;
   std::vector<int> chords;  // of each segment
 };
-
-bool before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 class ChordSearch {
  public:
@@ -168,7 +165,7 @@ void ChordSearch::find_enclosed(const Polygon& polygon) {
     for (const int v : {domain.segments[at(s)].a, domain.segments[at(s)].b}) sites[at(v)].chord = polygon.chords[at(s)];
   for (const Point& p : domain.holes) sites.push_back({p, seed});
   for (const RegionSeed& region : domain.regions) sites.push_back({region.point, seed});
-  std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return before(a.place, b.place); });
+  std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return comes_before(a.place, b.place); });
   for (std::size_t i = 1; i < sites.size(); ++i) {
     const Site& a = sites[i - 1];
     const Site& b = sites[i];

@@ -25,6 +25,9 @@ constexpr double cross(const Vector& a, const Vector& b) { return a.x * b.y - a.
 constexpr double squared_norm(const Vector& a) { return dot(a, a); }
 inline double norm(const Vector& a) { return std::sqrt(squared_norm(a)); }
 
+/// The order by x, then by y.
+constexpr bool comes_before(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
 /// (1 - t) a + t b, exact at t = 0 and t = 1.
 constexpr Point lerp(const Point& a, const Point& b, double t) { return (1.0 - t) * a + t * b; }
 

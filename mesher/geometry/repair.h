@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/geometry/message_text.h"
 
 namespace parmesan {
 
@@ -114,10 +115,5 @@ DomainRepair halve_single_cracks(DomainRepair repair);
 
 /// Notes the two nearest points if they are under 1e-7 of the diameter or 16 ulp apart.
 DomainRepair note_close_points(DomainRepair repair);
-
-/// Decimal number, for doubles the shortest that reads back as the same.
-std::string text(int value);
-std::string text(double value);
-std::string text(const Point& p);  // "(x, y)"
 
 }  // namespace parmesan

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "mesher/errors.h"
@@ -46,18 +44,7 @@ void check_curve(int curve, int num_curves, int segment) {
                       {segment});
 }
 
-bool comes_first(const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 }  // namespace
-
-std::string text(int value) { return std::to_string(value); }
-
-std::string text(double value) {
-  std::array<char, 32> buffer;
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
-std::string text(const Point& p) { return "(" + text(p.x) + ", " + text(p.y) + ")"; }
 
 int DomainRepair::next_source_point() const {
   return point_sources.empty() ? 0 : 1 + *std::max_element(point_sources.begin(), point_sources.end());
@@ -113,9 +100,9 @@ void require_extent(const DomainRepair& repair) {
 
 void require_seeds_off_points(const DomainRepair& repair) {
   std::vector<Point> points = repair.domain.points;
-  std::sort(points.begin(), points.end(), comes_first);
+  std::sort(points.begin(), points.end(), comes_before);
   const auto check = [&points](const Point& seed, const char* kind, int index) {
-    if (!std::binary_search(points.begin(), points.end(), seed, comes_first)) return;
+    if (!std::binary_search(points.begin(), points.end(), seed, comes_before)) return;
     throw GeometryError(std::string(kind) + " seed " + text(index) + " lies at a point of the domain, " + text(seed) +
                             "; move it to the inside of what it marks",
                         {index});

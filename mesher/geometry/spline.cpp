@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -19,8 +20,6 @@ struct Homogeneous {
 
 Homogeneous operator+(const Homogeneous& a, const Homogeneous& b) { return {a.x + b.x, a.y + b.y, a.w + b.w}; }
 Homogeneous operator*(double s, const Homogeneous& a) { return {s * a.x, s * a.y, s * a.w}; }
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Value and derivative at a parameter.
 struct Jet {

@@ -8,12 +8,11 @@
 #include <system_error>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/io/boundary_edges.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The elements at these places, in their order.
 template <std::size_t N>

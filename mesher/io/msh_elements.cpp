@@ -83,7 +83,7 @@ void read_tags_and_nodes(MshInput& in, int type, int tag, int num_tags, MshConte
       in, type, tag, group, [&in] { return in.integer("the node of an element"); }, content);
 }
 
-void read_rows(MshInput& in, MshContent& content) {
+void read_element_rows(MshInput& in, MshContent& content) {
   const std::size_t count = in.text_count("the number of elements", 4);
   for (std::size_t i = 0; i < count; ++i) {
     const int tag = in.integer("the number of an element");
@@ -119,7 +119,7 @@ void read_msh_elements(MshInput& in, const MshEntityGroups& groups, MshContent& 
   } else if (in.is_binary()) {
     read_binary_runs(in, content);
   } else {
-    read_rows(in, content);
+    read_element_rows(in, content);
   }
 }
 

@@ -35,7 +35,7 @@ void read_blocks(MshInput& in, MshContent& content) {
 }
 
 /// Format 2.
-void read_rows(MshInput& in, MshContent& content) {
+void read_node_rows(MshInput& in, MshContent& content) {
   const std::size_t count = in.text_count("the number of nodes", 4);
   content.nodes.reserve(count);
   in.start_numbers();
@@ -50,7 +50,7 @@ void read_rows(MshInput& in, MshContent& content) {
 
 void read_msh_nodes(MshInput& in, MshContent& content) {
   if (in.is_version_2()) {
-    read_rows(in, content);
+    read_node_rows(in, content);
   } else {
     read_blocks(in, content);
   }

@@ -9,6 +9,7 @@
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/segment_tree.h"
+#include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 #include "mesher/metric/gradation.h"
 #include "mesher/triangulation/conversion.h"
@@ -16,8 +17,6 @@
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void require(bool holds, const char* what) {
   if (!holds) throw InputError(std::string("sizes from the geometry: ") + what);

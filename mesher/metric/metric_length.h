@@ -38,6 +38,12 @@ inline double squared_length_in_mean(const Vector& d, const Metric& m0, const Me
   return 0.5 * (m0.squared_length(d) + m1.squared_length(d));
 }
 
+/// Angle between two vectors in a metric, in [0, pi]: in the coordinates M^(1/2) x, dot and cross product are a^T M b
+/// and sqrt(det M) a x b (thesis 5.2, 5.3).
+inline double metric_angle(const Vector& a, const Vector& b, const Metric& m) {
+  return std::atan2(m.density() * std::abs(cross(a, b)), dot(a, m.tensor() * b));
+}
+
 /// Area of a triangle in the mean of its vertex metrics (thesis 5.10). Negative when clockwise.
 inline double metric_area(const Point& a, const Point& b, const Point& c, const Metric& ma, const Metric& mb,
                           const Metric& mc) {

@@ -7,6 +7,7 @@
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/barycentric.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/triangulation/neighbors.h"
@@ -100,17 +101,6 @@ int TensorInterpolant::near(const Point& p) const {
 }
 
 namespace {
-
-// Barycentric coordinates clamped to the triangle.
-std::array<double, 3> clamped(std::array<double, 3> w) {
-  double sum = 0.0;
-  for (double& x : w) {
-    x = std::max(x, 0.0);
-    sum += x;
-  }
-  for (double& x : w) x = sum > 0.0 ? x / sum : 1.0 / 3.0;
-  return w;
-}
 
 // The inner edge that has p farthest on its other side, -1 if there is none.
 int side_to_cross(const std::array<double, 3>& w, const std::array<int, 3>& neighbors, double tolerance) {

@@ -6,14 +6,13 @@
 
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/population.h"
 #include "mesher/triangulation/delaunay.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The edges of all segments, each segment's from its first point to its last.
 struct ChainEdge {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/mesh_walk.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/triangulation/conversion.h"
@@ -16,8 +17,6 @@
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<std::optional<MeshPlace>> places_in(const Mesh& mesh, const std::vector<FieldSample>& samples) {
   MeshWalk walk(mesh);

@@ -4,11 +4,10 @@
 #include <tuple>
 
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Edges by end point: edges_at[start[v] .. start[v + 1]).
 struct Incidence {

@@ -1,11 +1,11 @@
 #include "mesher/triangulation/carve.h"
 
-#include <charconv>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/message_text.h"
 #include "mesher/triangulation/flood.h"
 #include "mesher/triangulation/locate.h"
 
@@ -30,13 +30,6 @@ void mark_inside(Triangulation& t, Inside rule) {
     t.set_left(e, inside ? inside_face : 0);
   });
 }
-
-std::string text(double x) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
-}
-
-std::string text(const Point& p) { return "(" + text(p.x) + ", " + text(p.y) + ")"; }
 
 /// A triangle around the seed; kind and index are for the message.
 EdgeId face_of_seed(const Triangulation& t, const Point& seed, const std::string& kind, std::size_t index) {

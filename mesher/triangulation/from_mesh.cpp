@@ -8,13 +8,12 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/half_edges.h"
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Makes the edges of all triangles. A vertex owns the edges to its higher neighbours.
 class EdgeMaker {
@@ -49,7 +48,7 @@ void EdgeMaker::put_on_left(EdgeId e, int triangle) {
     throw GeometryError("triangle " + std::to_string(triangle) + " overlaps another at edge " +
                             std::to_string(t_.org(e)) + " - " + std::to_string(t_.dest(e)),
                         {triangle, t_.org(e), t_.dest(e)});
-  t_.set_left(e, mesh_.regions[index(triangle)]);
+  t_.set_left(e, mesh_.regions[at(triangle)]);
 }
 
 // Returns the edge after the last that this vertex owns.
@@ -67,7 +66,7 @@ EdgeId EdgeMaker::make(std::size_t low, EdgeId next, std::vector<EdgeId>& edges)
       t_.set_right(up, outside_face);
     }
     const EdgeId e = goes_up(mesh_, h) ? up : sym(up);
-    edges[index(h.side)] = e;
+    edges[at(h.side)] = e;
     put_on_left(e, h.triangle());
   }
   return next;
@@ -75,15 +74,15 @@ EdgeId EdgeMaker::make(std::size_t low, EdgeId next, std::vector<EdgeId>& edges)
 
 std::vector<EdgeId> EdgeMaker::run() {
   const Ranges ranges(mesh_.points.size());
-  std::vector<std::size_t> owned(index(ranges.count()) + 1, 0);
+  std::vector<std::size_t> owned(at(ranges.count()) + 1, 0);
   parallel_for(ranges.count(), [&](int r) {
-    for (std::size_t v = ranges.first(r); v < ranges.last(r); ++v) owned[index(r) + 1] += num_owned(v);
+    for (std::size_t v = ranges.first(r); v < ranges.last(r); ++v) owned[at(r) + 1] += num_owned(v);
   });
   std::partial_sum(owned.begin(), owned.end(), owned.begin());
   const EdgeId first = t_.append_edges(owned.back());
   std::vector<EdgeId> edges(3 * mesh_.triangles.size());
   parallel_for(ranges.count(), [&](int r) {
-    EdgeId next{first.index + 4 * static_cast<std::int32_t>(owned[index(r)])};
+    EdgeId next{first.index + 4 * static_cast<std::int32_t>(owned[at(r)])};
     for (std::size_t v = ranges.first(r); v < ranges.last(r); ++v) next = make(v, next, edges);
   });
   return edges;
@@ -121,7 +120,7 @@ void close_ring(Triangulation& t, std::vector<EdgeId>& starts) {
 
 /// The boundary edges, the domain to their left.
 std::vector<EdgeId> boundary_edges(const Triangulation& t) {
-  return collect<EdgeId>(index(t.size()), [&](std::size_t first, std::size_t last, std::vector<EdgeId>& found) {
+  return collect<EdgeId>(at(t.size()), [&](std::size_t first, std::size_t last, std::vector<EdgeId>& found) {
     for (std::size_t q = first; q < last; ++q)
       for (const EdgeId e : {EdgeId{4 * static_cast<std::int32_t>(q)}, EdgeId{4 * static_cast<std::int32_t>(q) + 2}})
         if (!t.is_inside_right(e)) found.push_back(e);

@@ -4,13 +4,10 @@
 #include <optional>
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/triangulation/side_of.h"
 
 namespace parmesan {
 namespace {
-
-double side_of(const Triangulation& t, EdgeId e, const Point& p) {
-  return orient2d(t.point(t.org(e)), t.point(t.dest(e)), p);
-}
 
 /// For p on the line of e: strictly between its ends.
 bool is_between_ends(const Triangulation& t, EdgeId e, const Point& p) {

@@ -8,15 +8,14 @@
 #include <utility>
 
 #include "mesher/geometry/hilbert.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 std::vector<int> inverse(const std::vector<int>& order) {
   std::vector<int> place(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) place[index(order[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < order.size(); ++i) place[at(order[i])] = static_cast<int>(i);
   return place;
 }
 
@@ -35,7 +34,7 @@ MeshOrder local_order(const Mesh& mesh) {
   MeshOrder order{hilbert_order(mesh.points), std::vector<int>(mesh.triangles.size())};
   const std::vector<int> place = inverse(order.vertices);
   const auto smallest = [&](const std::array<int, 3>& t) {
-    return index(std::min({place[index(t[0])], place[index(t[1])], place[index(t[2])]}));
+    return at(std::min({place[at(t[0])], place[at(t[1])], place[at(t[2])]}));
   };
   std::vector<std::size_t> next(mesh.points.size() + 1, 0);
   for (const auto& t : mesh.triangles) ++next[smallest(t) + 1];
@@ -48,18 +47,18 @@ MeshOrder local_order(const Mesh& mesh) {
 Mesh reordered(const Mesh& mesh, const MeshOrder& order) {
   const std::vector<int> place = inverse(order.vertices);
   Mesh result = mesh;
-  for (std::size_t i = 0; i < order.vertices.size(); ++i) result.points[i] = mesh.points[index(order.vertices[i])];
+  for (std::size_t i = 0; i < order.vertices.size(); ++i) result.points[i] = mesh.points[at(order.vertices[i])];
   for (std::size_t k = 0; k < order.triangles.size(); ++k) {
-    const auto old = index(order.triangles[k]);
-    for (std::size_t i = 0; i < 3; ++i) result.triangles[k][i] = place[index(mesh.triangles[old][i])];
+    const auto old = at(order.triangles[k]);
+    for (std::size_t i = 0; i < 3; ++i) result.triangles[k][i] = place[at(mesh.triangles[old][i])];
     if (!mesh.regions.empty()) result.regions[k] = mesh.regions[old];
   }
   for (auto& edge : result.edges)
-    for (int& v : edge) v = place[index(v)];
-  for (int& v : result.required.vertices) v = place[index(v)];
+    for (int& v : edge) v = place[at(v)];
+  for (int& v : result.required.vertices) v = place[at(v)];
   if (!result.required.triangles.empty()) {
     const std::vector<int> triangle_place = inverse(order.triangles);
-    for (int& t : result.required.triangles) t = triangle_place[index(t)];
+    for (int& t : result.required.triangles) t = triangle_place[at(t)];
   }
   result.required.vertices = ascending(std::move(result.required.vertices));
   result.required.triangles = ascending(std::move(result.required.triangles));

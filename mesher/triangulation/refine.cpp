@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/index.h"
 #include "mesher/triangulation/neighbors.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Corners = std::array<int, 3>;
 

@@ -1,13 +1,10 @@
 #include "mesher/triangulation/sight.h"
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/triangulation/side_of.h"
 
 namespace parmesan {
 namespace {
-
-double side_of(const Triangulation& t, EdgeId e, const Point& p) {
-  return orient2d(t.point(t.org(e)), t.point(t.dest(e)), p);
-}
 
 /// The side opposite to v of the triangle that the way to p enters; no_edge where it leaves the domain at once.
 EdgeId first_side(const Triangulation& t, VertexId v, const Point& p) {

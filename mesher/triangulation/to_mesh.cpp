@@ -4,13 +4,12 @@
 #include <utility>
 
 #include "mesher/geometry/hilbert.h"
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 
 namespace parmesan {
 namespace {
-
-std::size_t index(VertexId v) { return static_cast<std::size_t>(v); }
 
 std::vector<VertexId> live_vertices_in_order(const Triangulation& t) {
   std::vector<VertexId> live;
@@ -22,7 +21,7 @@ std::vector<VertexId> live_vertices_in_order(const Triangulation& t) {
   }
   std::vector<VertexId> slots;
   slots.reserve(live.size());
-  for (const int i : hilbert_order(points)) slots.push_back(live[index(i)]);
+  for (const int i : hilbert_order(points)) slots.push_back(live[at(i)]);
   return slots;
 }
 
@@ -47,9 +46,9 @@ struct Numbering {
 };
 
 Numbering numbering_of(const Triangulation& t) {
-  Numbering numbering{live_vertices_in_order(t), std::vector<int>(index(t.num_slots()), -1)};
+  Numbering numbering{live_vertices_in_order(t), std::vector<int>(at(t.num_slots()), -1)};
   for (std::size_t v = 0; v < numbering.slots.size(); ++v)
-    numbering.new_id[index(numbering.slots[v])] = static_cast<int>(v);
+    numbering.new_id[at(numbering.slots[v])] = static_cast<int>(v);
   return numbering;
 }
 
@@ -73,19 +72,19 @@ class MeshBuilder {
 };
 
 void MeshBuilder::look_at(int v, EdgeId spoke) {
-  const int second = numbering_.new_id[index(t_.dest(spoke))];
+  const int second = numbering_.new_id[at(t_.dest(spoke))];
   if (second < v) return;
   if (t_.is_constrained(spoke))
-    constraints_.push_back({second, labels_[index(t_.segment(spoke))], t_.is_inside_left(spoke)});
+    constraints_.push_back({second, labels_[at(t_.segment(spoke))], t_.is_inside_left(spoke)});
   if (!t_.is_inside_left(spoke)) return;
-  const int third = numbering_.new_id[index(t_.dest(t_.onext(spoke)))];
+  const int third = numbering_.new_id[at(t_.dest(t_.onext(spoke)))];
   if (third > v) corners_.push_back({second, third, t_.left(spoke)});
 }
 
 void MeshBuilder::add_vertex(int v) {
   corners_.clear();
   constraints_.clear();
-  for_each_spoke(t_, numbering_.slots[index(v)], [&](EdgeId spoke) { look_at(v, spoke); });
+  for_each_spoke(t_, numbering_.slots[at(v)], [&](EdgeId spoke) { look_at(v, spoke); });
   std::ranges::sort(corners_, {}, &Corner::second);
   std::ranges::sort(constraints_, {}, &Constraint::larger_end);
   for (const Corner& c : corners_) {
@@ -118,7 +117,7 @@ std::vector<T> joined_lists(std::vector<Mesh>& parts, std::vector<T> Mesh::*list
 ConvertedMesh to_mesh(const Triangulation& t, std::span<const int> segment_labels) {
   Numbering numbering = numbering_of(t);
   const Ranges ranges(numbering.slots.size());
-  std::vector<Mesh> parts(index(ranges.count()));
+  std::vector<Mesh> parts(at(ranges.count()));
   ConvertedMesh result;
   result.mesh.points.resize(numbering.slots.size());
   parallel_for(ranges.count(), [&](int range) {
@@ -127,7 +126,7 @@ ConvertedMesh to_mesh(const Triangulation& t, std::span<const int> segment_label
       result.mesh.points[v] = t.point(numbering.slots[v]);
       builder.add_vertex(static_cast<int>(v));
     }
-    parts[index(range)] = builder.take();
+    parts[at(range)] = builder.take();
   });
   result.mesh.triangles = joined_lists(parts, &Mesh::triangles);
   result.mesh.regions = joined_lists(parts, &Mesh::regions);

@@ -5,14 +5,13 @@
 
 #include "fem/p1.h"
 #include "fem/singular_vertices.h"
+#include "mesher/index.h"
 #include "tests/fem/manufactured.h"
 
 namespace parmesan {
 namespace {
 
 using namespace support;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 RefinedPatch patch_of(const Mesh& mesh) {
   const std::vector<Side> sides = labelled_sides(mesh);

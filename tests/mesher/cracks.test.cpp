@@ -10,6 +10,7 @@
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/index.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/quality.h"
@@ -25,8 +26,6 @@ namespace {
 
 constexpr int above = 7;
 constexpr int below = 8;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Cracked {
   Mesh mesh;

@@ -8,6 +8,7 @@
 #include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/generate_around.h"
+#include "mesher/index.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/triangulation/refine.h"
 #include "tests/mesher/io/temporary_folder.h"
@@ -19,8 +20,6 @@
 using namespace parmesan;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Corners = std::array<Point, 3>;
 

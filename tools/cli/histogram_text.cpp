@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "adapt/number_text.h"
 #include "tools/cli/results.h"
 
 namespace parmesan {
-namespace {
-
-std::string padded(const std::string& text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
-}  // namespace
 
 std::string text(const Histogram& histogram) {
   constexpr long width = 50;

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "mesher/geometry/point.h"
+
+namespace parmesan {
+
+/// How messages write numbers and places: decimal, for doubles the shortest that reads back as the same.
+std::string text(int value);
+std::string text(double value);
+std::string text(const Point& p);  // "(x, y)"
+
+}  // namespace parmesan
