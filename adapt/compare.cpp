@@ -74,7 +74,7 @@ class Comparison {
     adapted(MeshFamily::Anisotropic);
     adapted(MeshFamily::Isotropic);
     uniform();
-    for (const MeshFamily family : families) fit(family);
+    for (const MeshFamily family : mesh_families) fit(family);
     find_equivalents();
     result_.interrupted = interrupted();
     result_.exit_code = result_.interrupted ? was_interrupted : 0;

@@ -18,7 +18,7 @@ namespace parmesan {
 
 /// The families of meshes that are compared.
 enum class MeshFamily { Anisotropic, Isotropic, Uniform };
-inline constexpr std::array families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
+inline constexpr std::array mesh_families{MeshFamily::Anisotropic, MeshFamily::Isotropic, MeshFamily::Uniform};
 
 /// How a comparison is made.
 struct CompareOptions {

@@ -56,9 +56,9 @@ std::string round_off_text(const CompareResult& result, MeshFamily family) {
 
 std::string orders(const CompareResult& result) {
   std::string text = "\nfitted orders (error = c N^-order)\n";
-  for (std::size_t k = 0; k < families.size(); ++k) {
-    text += "  " + std::string(to_string(families[k])) + ": L2 " + order_text(result.l2_orders[k]) + ", H1 " +
-            order_text(result.h1_orders[k]) + round_off_text(result, families[k]) + "\n";
+  for (std::size_t k = 0; k < mesh_families.size(); ++k) {
+    text += "  " + std::string(to_string(mesh_families[k])) + ": L2 " + order_text(result.l2_orders[k]) + ", H1 " +
+            order_text(result.h1_orders[k]) + round_off_text(result, mesh_families[k]) + "\n";
   }
   return text;
 }
@@ -147,7 +147,7 @@ std::string compare_table(const CompareResult& result) {
                            estimated ? "est. H1" : "solution H1", "interp. H1", "efficiency", "CPU s"});
   for (const CompareRow& row : result.rows) text += row_line(row);
   if (!result.rows.empty() && result.rows[0].goal_value) text += goals(result);
-  if (result.l2_orders.size() == families.size()) text += orders(result);
+  if (result.l2_orders.size() == mesh_families.size()) text += orders(result);
   if (!result.equivalents.empty()) text += equivalents(result);
   return text;
 }
@@ -180,8 +180,8 @@ nlohmann::ordered_json to_json(const CompareResult& result) {
   for (const CompareRow& row : result.rows) j["rows"].push_back(row_json(row));
   j["orders"] = Json::object();
   for (std::size_t k = 0; k < result.l2_orders.size(); ++k) {
-    j["orders"][std::string(to_string(families[k]))] = {{"l2", order_json(result.l2_orders[k])},
-                                                        {"h1", order_json(result.h1_orders[k])}};
+    j["orders"][std::string(to_string(mesh_families[k]))] = {{"l2", order_json(result.l2_orders[k])},
+                                                             {"h1", order_json(result.h1_orders[k])}};
   }
   j["equal_error"] = Json::array();
   for (const UniformEquivalent& e : result.equivalents) j["equal_error"].push_back(equivalent_json(e));

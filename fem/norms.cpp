@@ -188,7 +188,7 @@ class MeshError {
         for (const Corners& child : subdivide(parent.corners)) visit(parent.triangle, child, 0.25 * parent.area, depth);
       }
     }
-    for (const OpenTriangle& last : open) add(last.triangle, last.integrals);
+    for (const OpenTriangle& unconfirmed : open) add(unconfirmed.triangle, unconfirmed.integrals);
     for (const std::size_t t : peaks(largest)) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       sum.largest = std::max(sum.largest, sampled_maximum(error_on(element, t), element.p, PeakDepth));

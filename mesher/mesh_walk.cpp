@@ -8,8 +8,6 @@
 #include "mesher/triangulation/neighbors.h"
 
 namespace parmesan {
-namespace {}  // namespace
-
 MeshWalk::MeshWalk(const Mesh& mesh)
     : mesh_(mesh),
       neighbors_(has_cracks(mesh) ? triangle_neighbors(close_cracks(mesh).mesh) : triangle_neighbors(mesh)) {

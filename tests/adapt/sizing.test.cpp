@@ -55,6 +55,10 @@ TEST_CASE("next_size makes a mesh smaller that meets the targets with vertices t
     history.back().error = 0.95;
     CHECK(next_size(history, goal).stop == StopReason::ErrorTarget);
   }
+  SECTION("to 3/4 of the prediction where the last step only began to resolve") {
+    history.back().error = 0.7;  // it fell 6.1 times on 3.25 times as many vertices: order 1.54
+    CHECK(next_size(history, goal).asked == Approx(0.75 * 5200 * std::pow(0.7, 1 / 1.1)).epsilon(1e-9));
+  }
   SECTION("not where passes to come back are lacking") {
     goal.max_passes = 7;
     CHECK(next_size(history, goal).stop == StopReason::ErrorTarget);
