@@ -42,7 +42,8 @@ Iterate generated(const Case& input, const MetricField& field, const Mesh* previ
   options.hessian = hessian;
   const std::optional<Mesh> kept = mesh_to_keep(input, previous);
   GenerateResult made =
-      kept ? generate_around(*kept, field, options) : generate(input.domain, field, options, previous);
+      kept ? generate_around(*kept, field, options)
+           : generate(input.domain, field, options, previous == nullptr ? std::nullopt : std::optional(*previous));
   Iterate iterate;
   iterate.report = std::move(made.report);
   iterate.mesh = std::move(made.mesh);

@@ -8,6 +8,7 @@ set_target_properties(tests_support PROPERTIES UNITY_BUILD OFF)
 target_link_libraries(tests_support PUBLIC parmesan_adapt Catch2::Catch2)
 target_compile_definitions(tests_support PUBLIC PARMESAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 parmesan_compile_options(tests_support)
+target_compile_options(tests_support PRIVATE -O1)
 
 # parmesan_tests(NAME LIBRARY...): the files tests/NAME/**/*.test.cpp.
 function(parmesan_tests name)

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "mesher/cracks.h"
 #include "mesher/curve_vertices.h"
@@ -34,6 +35,10 @@ constexpr double coarsest_vertices = 200.0;
 int coarser_levels(double expected) {
   return std::max(0, static_cast<int>(std::lround(std::log(expected / coarsest_vertices) / std::log(4.0))));
 }
+
+// With fewer levels all sites that show what would be overlooked are there from the start, else some are added on the
+// last but one.
+constexpr int first_with_sites_later = 2;
 
 double scale_of(int level) { return std::pow(0.25, level); }
 
@@ -105,7 +110,8 @@ ScratchStart scratch_start(const Domain& domain, const Outline& outline, const M
   const double seen = integrate_complexity(mesh, field), held = overlooked.complexity_within(mesh);
   const double expected = expected_vertices(std::max(seen, held));
   check_size(expected, max_vertices);
-  if (held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(coarser_levels(expected)));
+  const int levels = coarser_levels(expected);
+  if (levels < first_with_sites_later || held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(levels));
   return {std::move(mesh), overlooked, expected};
 }
 
@@ -133,8 +139,9 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Scr
   Relaxed relaxed{.mesh = start.mesh, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
     const double scale = scale_of(level);
-    if (level == 1 && level < levels) relaxed.mesh = start.overlooked.with_sites(relaxed.mesh, scale);
+    if (level == 1 && levels >= first_with_sites_later) relaxed.mesh = start.overlooked.with_sites(relaxed.mesh, scale);
     ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field);
+    relaxed = {};  // for its memory
     if (level == levels) {
       particles.set_level({scale, true});
       run_fast_schedule(particles, coarse_effort);
@@ -153,6 +160,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Scr
 Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh, const FastScheduleOptions& effort,
                            const GenerateOptions& options) {
   ParticleSystem particles(from_mesh(mesh, mesh.labels), domain, field);
+  mesh = {};  // for its memory
   if (options.observer) options.observer(particles, 0);
   run_fast_schedule(particles, effort);
   return taken_lower_in_error(particles, options.hessian);
@@ -176,10 +184,9 @@ Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mes
 }
 
 // The previous mesh with its edges labelled with segments, if it conforms to the domain.
-std::optional<Mesh> fitted(const Mesh& previous, const Domain& domain) {
-  std::optional<std::vector<int>> segments = match_edges_to_segments(previous, domain);
+std::optional<Mesh> fitted(Mesh mesh, const Domain& domain) {
+  std::optional<std::vector<int>> segments = match_edges_to_segments(mesh, domain);
   if (!segments) return std::nullopt;
-  Mesh mesh = previous;
   mesh.labels = std::move(*segments);
   return put_on_curves(std::move(mesh), domain);
 }
@@ -195,7 +202,7 @@ std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metri
 }  // namespace
 
 GenerateResult generate(const Domain& user_domain, const MetricField& field, const GenerateOptions& options,
-                        const Mesh* previous) {
+                        std::optional<Mesh> previous) {
   GenerateResult result;
   if (!(options.chord_error > 0.0)) throw InputError("the chord error must be above 0");
   CleanDomain cleaned = clean(user_domain);
@@ -209,12 +216,10 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
 
   StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<Mesh> fit;
-  std::optional<Mesh> closed;  // the particles of a crack are those of both its sides
-  if (previous != nullptr && has_cracks(*previous)) previous = &closed.emplace(close_cracks(*previous).mesh);
-  if (previous != nullptr) {
-    fit = fitted(*previous, domain);
+  if (previous) {  // the particles of a crack are those of both its sides
+    fit = fitted(has_cracks(*previous) ? close_cracks(*previous).mesh : *std::move(previous), domain);
     choice.reason = "the previous mesh does not fit the geometry";
-    if (fit) choice = choose_start(*previous, field);
+    if (fit) choice = choose_start(*fit, field);
     if (fit && by_thesis)
       choice = {Start::PreviousMesh, 0, choice.expected_vertices, "the thesis's schedule starts from any mesh"};
     if (!fit) result.report.warnings.push_back(choice.reason + ": started from scratch");

@@ -74,6 +74,6 @@ struct GenerateResult {
 /// metric asks for more than max_vertices; MeshingError when no valid mesh could be made.
 /// Cost: O(n).
 GenerateResult generate(const Domain& domain, const MetricField& field, const GenerateOptions& options = {},
-                        const Mesh* previous = nullptr);
+                        std::optional<Mesh> previous = std::nullopt);
 
 }  // namespace parmesan

@@ -210,8 +210,9 @@ GenerateResult generate_around(const Mesh& mesh, const MetricField& field, const
   const Halves halves = cut_in_two(close_cracks(mesh));
   GenerateResult result;
   if (!halves.rest.mesh.triangles.empty()) {
-    const Mesh start = open_cracks(halves.rest.mesh, halves.rest.right_labels).mesh;
-    result = generate(domain_of(start), field, options, &start);
+    Mesh start = open_cracks(halves.rest.mesh, halves.rest.right_labels).mesh;
+    const Domain domain = domain_of(start);
+    result = generate(domain, field, options, std::move(start));
   }
   const ClosedMesh rest = close_cracks(result.mesh);
   const Joined joined = join(halves, {rest.mesh, rest.right_labels});

@@ -1,6 +1,7 @@
 #include "mesher/half_edges.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <numeric>
@@ -27,54 +28,54 @@ void sort_sides(std::span<HalfEdge> sides) {
   }
 }
 
-/// Consecutive triangles and the least and greatest of their vertices.
+/// Consecutive triangles and the parts that have vertices of theirs, a bit each.
 struct Stretch {
   std::size_t first;
   std::size_t last;
-  std::size_t least;
-  std::size_t greatest;
+  std::uint32_t parts;
 };
 
-std::vector<Stretch> stretches_of(const Mesh& mesh) {
-  const Ranges ranges(mesh.triangles.size());
-  std::vector<Stretch> stretches(static_cast<std::size_t>(ranges.count()));
-  parallel_for(ranges.count(), [&](int i) {
-    Stretch s{ranges.first(i), ranges.last(i), mesh.points.size(), 0};
-    for (std::size_t t = s.first; t < s.last; ++t) {
-      for (const int corner : mesh.triangles[t]) {
-        const auto v = static_cast<std::size_t>(corner);
-        s.least = std::min(s.least, v);
-        s.greatest = std::max(s.greatest, v);
-      }
+// They are short: what is near in the plane may be far away on the curve that vertices are numbered along.
+std::vector<Stretch> stretches_of(const Mesh& mesh, int part_bits) {
+  constexpr std::size_t length = 1024;
+  const std::size_t size = mesh.triangles.size();
+  std::vector<Stretch> stretches((size + length - 1) / length);
+  const Ranges ranges(stretches.size());
+  parallel_for(ranges.count(), [&](int range) {
+    for (std::size_t i = ranges.first(range); i < ranges.last(range); ++i) {
+      Stretch s{i * length, std::min((i + 1) * length, size), 0};
+      for (std::size_t t = s.first; t < s.last; ++t)
+        for (const int corner : mesh.triangles[t]) s.parts |= 1U << (corner >> part_bits);
+      stretches[i] = s;
     }
-    stretches[static_cast<std::size_t>(i)] = s;
   });
   return stretches;
 }
 
-/// Vertices cut into at most 16 parts, one for each thread that comes to take one: a part looks only at the
+/// Vertices cut into at most 32 parts, one for each thread that comes to take one: a part looks only at the
 /// stretches of triangles that have vertices of its own.
 class Parts {
  public:
   explicit Parts(const Mesh& mesh)
-      : mesh_(mesh), stretches_(stretches_of(mesh)), length_(std::max(least_length, mesh.points.size() / 16 + 1)) {}
+      : mesh_(mesh),
+        bits_(std::max(least_bits, static_cast<int>(std::bit_width(mesh.points.size() / 32)))),
+        stretches_(stretches_of(mesh, bits_)) {}
 
   /// Calls f(low, half-edge) for every side, from several threads: never two at once for the same low.
   template <class F>
   void for_each_side(F f) const {
-    const int count = static_cast<int>((mesh_.points.size() + length_ - 1) / length_);
+    const int count = static_cast<int>(mesh_.points.size() >> bits_) + 1;
     parallel_for(count, [&](int part) {
-      const std::size_t first = static_cast<std::size_t>(part) * length_;
-      const std::size_t last = first + length_;
+      const std::uint32_t own = 1U << part;
       for (const Stretch& s : stretches_) {
-        if (s.greatest < first || s.least >= last) continue;
-        const bool is_within = s.least >= first && s.greatest < last;
+        if ((s.parts & own) == 0) continue;
+        const bool is_within = s.parts == own;
         for (std::size_t t = s.first; t < s.last; ++t) {
           const auto [a, b, c] = mesh_.triangles[t];
           const int side = static_cast<int>(3 * t);
           const auto visit = [&](int from, int to, int k) {
             const auto low = static_cast<std::size_t>(std::min(from, to));
-            if (is_within || (low >= first && low < last)) f(low, HalfEdge{std::max(from, to), side + k});
+            if (is_within || static_cast<int>(low >> bits_) == part) f(low, HalfEdge{std::max(from, to), side + k});
           };
           visit(b, c, 0);
           visit(c, a, 1);
@@ -85,10 +86,10 @@ class Parts {
   }
 
  private:
-  static constexpr std::size_t least_length = 32768;
+  static constexpr int least_bits = 15;
   const Mesh& mesh_;
+  int bits_;  // 2^bits vertices are a part
   std::vector<Stretch> stretches_;
-  std::size_t length_;
 };
 
 }  // namespace

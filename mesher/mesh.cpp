@@ -88,16 +88,28 @@ bool is_sound(const MeshSide& side) {
 }
 
 // That of the lowest end points. What for_each_side itself finds wrong comes first.
-std::optional<MeshSide> lowest_unsound_side(const Mesh& mesh) {
+std::optional<MeshSide> lowest_unsound_side(const Mesh& mesh, const HalfEdges& half_edges) {
   std::mutex mutex;
   std::optional<MeshSide> lowest;
   const auto ends = [](const MeshSide& side) { return std::pair(side.low, side.high); };
-  for_each_side(mesh, [&](const MeshSide& side) {
+  for_each_side(mesh, half_edges, [&](const MeshSide& side) {
     if (is_sound(side)) return;
     const std::lock_guard lock(mutex);
     if (!lowest || ends(side) < ends(*lowest)) lowest = side;
   });
   return lowest;
+}
+
+// Without what needs to know which triangles share a side.
+void check_parts(const Mesh& mesh) {
+  check_counts(mesh);
+  check_points(mesh);
+  check_indices(mesh.triangles, mesh.num_vertices(), "triangle");
+  check_indices(mesh.edges, mesh.num_vertices(), "edge");
+  check_required(mesh.required.vertices, mesh.points.size(), "point");
+  check_required(mesh.required.edges, mesh.edges.size(), "edge");
+  check_required(mesh.required.triangles, mesh.triangles.size(), "triangle");
+  check_triangles(mesh);
 }
 
 [[noreturn]] void refuse(const MeshSide& side) {
@@ -131,15 +143,13 @@ std::string label_name(const LabelNames& names, int label) {
 }
 
 void validate(const Mesh& mesh) {
-  check_counts(mesh);
-  check_points(mesh);
-  check_indices(mesh.triangles, mesh.num_vertices(), "triangle");
-  check_indices(mesh.edges, mesh.num_vertices(), "edge");
-  check_required(mesh.required.vertices, mesh.points.size(), "point");
-  check_required(mesh.required.edges, mesh.edges.size(), "edge");
-  check_required(mesh.required.triangles, mesh.triangles.size(), "triangle");
-  check_triangles(mesh);
-  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh)) refuse(*side);
+  check_parts(mesh);
+  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, HalfEdges(mesh))) refuse(*side);
+}
+
+void validate(const Mesh& mesh, const HalfEdges& half_edges) {
+  check_parts(mesh);
+  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, half_edges)) refuse(*side);
 }
 
 }  // namespace parmesan

@@ -45,6 +45,8 @@ struct Mesh {
   int num_edges() const { return static_cast<int>(edges.size()); }
 };
 
+class HalfEdges;
+
 /// The name of a label, or its number in decimal.
 std::string label_name(const LabelNames& names, int label);
 
@@ -53,5 +55,8 @@ std::string label_name(const LabelNames& names, int label);
 /// once in each direction, the boundary covered by labelled edges, no orphan vertex, finite points.
 /// Cost: O(n).
 void validate(const Mesh& mesh);
+
+/// The same where the half-edges of its triangles are at hand, whose indices are then in range.
+void validate(const Mesh& mesh, const HalfEdges& half_edges);
 
 }  // namespace parmesan

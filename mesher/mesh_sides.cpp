@@ -6,7 +6,6 @@
 #include <string>
 
 #include "mesher/errors.h"
-#include "mesher/half_edges.h"
 #include "mesher/parallel.h"
 
 namespace parmesan {
@@ -78,8 +77,7 @@ MeshSide Fan::take_next() {
 
 /// Calls f(range, side) for every side, range by range of the lower end points.
 template <class F>
-void for_each_side_by_ranges(const Mesh& mesh, F f) {
-  const HalfEdges half_edges(mesh);
+void for_each_side_by_ranges(const Mesh& mesh, const HalfEdges& half_edges, F f) {
   const std::vector<LabelledEdge> edges = labelled_edges(mesh);
   const Ranges ranges(mesh.points.size());
   parallel_for(ranges.count(), [&](int range) {
@@ -97,13 +95,18 @@ void for_each_side_by_ranges(const Mesh& mesh, F f) {
 }  // namespace
 
 void for_each_side(const Mesh& mesh, const std::function<void(const MeshSide&)>& f) {
-  for_each_side_by_ranges(mesh, [&](int, const MeshSide& side) { f(side); });
+  for_each_side(mesh, HalfEdges(mesh), f);
+}
+
+void for_each_side(const Mesh& mesh, const HalfEdges& half_edges, const std::function<void(const MeshSide&)>& f) {
+  for_each_side_by_ranges(mesh, half_edges, [&](int, const MeshSide& side) { f(side); });
 }
 
 std::vector<MeshSide> sides_of(const Mesh& mesh) {
   std::vector<std::vector<MeshSide>> of_range(static_cast<std::size_t>(Ranges(mesh.points.size()).count()));
-  for_each_side_by_ranges(
-      mesh, [&](int range, const MeshSide& side) { of_range[static_cast<std::size_t>(range)].push_back(side); });
+  for_each_side_by_ranges(mesh, HalfEdges(mesh), [&](int range, const MeshSide& side) {
+    of_range[static_cast<std::size_t>(range)].push_back(side);
+  });
   return joined(of_range);
 }
 

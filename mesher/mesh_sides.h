@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "mesher/half_edges.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
@@ -27,6 +28,9 @@ struct MeshSide {
 /// three meet there), when an edge is listed twice, or is a point. Of several errors, f's included, that of the lowest
 /// side is thrown. Cost: O(n).
 void for_each_side(const Mesh& mesh, const std::function<void(const MeshSide&)>& f);
+
+/// The same where the half-edges of its triangles are at hand.
+void for_each_side(const Mesh& mesh, const HalfEdges& half_edges, const std::function<void(const MeshSide&)>& f);
 
 /// All sides, sorted by (low, high). Errors: as for_each_side.
 std::vector<MeshSide> sides_of(const Mesh& mesh);

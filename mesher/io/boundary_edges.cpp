@@ -14,10 +14,10 @@ namespace parmesan {
 namespace {
 
 /// All of them, by their ends.
-std::vector<BoundarySide> boundary_sides(const Mesh& mesh) {
+std::vector<BoundarySide> boundary_sides(const Mesh& mesh, const HalfEdges& half_edges) {
   std::mutex mutex;
   std::vector<BoundarySide> sides;
-  for_each_side(mesh, [&](const MeshSide& side) {
+  for_each_side(mesh, half_edges, [&](const MeshSide& side) {
     if (!side.is_boundary()) return;
     const bool goes_down = side.left < 0;
     const auto [from, to] = goes_down ? std::pair(side.high, side.low) : std::pair(side.low, side.high);
@@ -30,8 +30,10 @@ std::vector<BoundarySide> boundary_sides(const Mesh& mesh) {
 
 }  // namespace
 
-void cover_boundary(Mesh& mesh) {
-  const std::vector<BoundarySide> sides = boundary_sides(mesh);
+void cover_boundary(Mesh& mesh) { cover_boundary(mesh, HalfEdges(mesh)); }
+
+void cover_boundary(Mesh& mesh, const HalfEdges& half_edges) {
+  const std::vector<BoundarySide> sides = boundary_sides(mesh, half_edges);
   if (std::ranges::any_of(sides, [](const BoundarySide& side) { return side.edge < 0; }))
     refuse_hanging_vertices(mesh.points, sides);
   for (const BoundarySide& side : sides) {
@@ -43,6 +45,12 @@ void cover_boundary(Mesh& mesh) {
     }
   }
   mesh.labels.resize(mesh.edges.size(), 0);
+}
+
+void complete(Mesh& mesh) {
+  const HalfEdges half_edges(mesh);
+  cover_boundary(mesh, half_edges);
+  validate(mesh, half_edges);
 }
 
 }  // namespace parmesan

@@ -141,8 +141,7 @@ MeshData read_mesh_data(const std::string& path) {
 
 Mesh read_valid_mesh(const std::string& path) {
   Mesh mesh = read_mesh_file(path);
-  cover_boundary(mesh);
-  validate(mesh);
+  complete(mesh);
   return mesh;
 }
 

@@ -109,6 +109,7 @@ void FastSchedule::run() {
   flip_all(particles_);
   const bool settled = is_settled();
   const double momentum = settled ? 0.0 : options_.momentum;
+  if (momentum > 0.0) particles_.keep_velocities();
   if (settled) {
     mend_population();
   } else {

@@ -5,17 +5,21 @@
 #include <utility>
 
 #include "mesher/parallel.h"
+#include "mesher/triangulation/conversion.h"
 
 namespace parmesan {
 
 ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field)
     : mesh_(std::move(triangulation)), domain_(&domain), field_(&field) {
   const auto n = static_cast<std::size_t>(mesh_.num_slots());
-  metric_.resize(n);
-  hint_.assign(n, -1);
-  binding_.assign(n, free_particle);
-  velocity_.assign(n, {});
-  place_.resize(n);
+  const auto fill = [n](auto& array, auto value) {
+    array.reserve(with_room_to_grow(n));
+    array.assign(n, value);
+  };
+  fill(metric_, Metric());
+  fill(hint_, MetricHint{-1});
+  fill(binding_, free_particle);
+  fill(place_, std::int32_t{0});
   std::iota(place_.begin(), place_.end(), 0);
   bind_to_segments();
   fix_isolated_points();
@@ -119,12 +123,12 @@ VertexId ParticleSystem::take_in(VertexId v, VertexId near, Binding binding) {
     metric_.resize(i + 1);
     hint_.resize(i + 1);
     binding_.resize(i + 1);
-    velocity_.resize(i + 1);
+    if (!velocity_.empty()) velocity_.resize(i + 1);
     place_.resize(i + 1);
   }
   hint_[i] = hint_[neighbour];
   binding_[i] = binding;
-  velocity_[i] = {};
+  set_velocity(v, {});
   place_[i] = place_[neighbour];
   metric_[i] = evaluate(mesh_.point(v), hint_[i]);
   return v;

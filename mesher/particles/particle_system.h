@@ -38,9 +38,14 @@ class ParticleSystem {
   /// Moves a particle and re-evaluates its metric. The caller has checked the star.
   void move(VertexId v, const Point& p);
 
+  /// From now on particles have velocities, 0 at first. Before, none is kept.
+  void keep_velocities() { velocity_.resize(metric_.size()); }
+
   /// How far the particle went when it was last moved by a sweep (the velocity of thesis 3.13).
   const Vector& velocity(VertexId v) const { return velocity_[static_cast<std::size_t>(v)]; }
-  void set_velocity(VertexId v, const Vector& d) { velocity_[static_cast<std::size_t>(v)] = d; }
+  void set_velocity(VertexId v, const Vector& d) {
+    if (!velocity_.empty()) velocity_[static_cast<std::size_t>(v)] = d;
+  }
 
   /// A new particle p in the middle of e (see Triangulation::split_edge); bound if e is constrained.
   VertexId create_on_edge(EdgeId e, const Point& p);

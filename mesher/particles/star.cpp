@@ -10,7 +10,9 @@
 namespace parmesan {
 
 void Star::gather(const ParticleSystem& particles, VertexId v) {
+  constexpr std::size_t usual = 16;
   spokes_.clear();
+  spokes_.reserve(usual);
   const Triangulation& mesh = particles.mesh();
   for_each_spoke(mesh, v, [&](EdgeId e) {
     const VertexId w = mesh.dest(e);

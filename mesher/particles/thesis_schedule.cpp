@@ -39,6 +39,7 @@ class ThesisSchedule {
     const double newton = newton_step(potential, options.neighbourhood, options.radius);
     momentum_ = options.momentum.value_or(0.0);
     step_ = options.step.value_or((1.0 - momentum_) * newton);
+    particles_.keep_velocities();
   }
 
   ThesisReport run(const MeshObserver& observer);

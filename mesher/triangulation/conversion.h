@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,10 @@
 #include "mesher/triangulation/triangulation.h"
 
 namespace parmesan {
+
+/// Arrays of particles that many are created among would be copied as they grow. What is not used of them takes no
+/// memory.
+constexpr std::size_t with_room_to_grow(std::size_t n) { return n + n / 4; }
 
 /// The triangulation of a mesh, built directly from its arrays. Vertex ids are point indices
 /// (orphans become empty slots), face values are regions, edge i of the mesh carries

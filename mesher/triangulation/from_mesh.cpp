@@ -161,7 +161,7 @@ Triangulation from_mesh(const Mesh& mesh, std::span<const int> edge_segments) {
   if (edge_segments.size() != mesh.edges.size() || mesh.regions.size() != mesh.triangles.size())
     throw InputError("edges and segments, or triangles and regions, differ in number");
   Triangulation t;
-  t.reserve_for_vertices(mesh.points.size());
+  t.reserve_for_vertices(with_room_to_grow(mesh.points.size()));
   for (const Point& p : mesh.points) t.add_vertex(p);
   const std::vector<EdgeId> edges = EdgeMaker(mesh, t).run();
   link_triangles(edges, t);

@@ -52,26 +52,36 @@ Numbering numbering_of(const Triangulation& t) {
   return numbering;
 }
 
-/// The triangles and edges of consecutive vertices.
-class MeshBuilder {
+/// Triangles and edges of some vertices, which each belong to the smallest of theirs.
+struct Counts {
+  std::size_t triangles = 0;
+  std::size_t edges = 0;
+};
+
+/// Looks at vertices one after the other.
+class Fans {
  public:
-  MeshBuilder(const Triangulation& t, std::span<const int> segment_labels, const Numbering& numbering)
+  Fans(const Triangulation& t, std::span<const int> segment_labels, const Numbering& numbering)
       : t_(t), labels_(segment_labels), numbering_(numbering) {}
-  void add_vertex(int v);
-  Mesh take() { return std::move(mesh_); }
+
+  /// Adds what belongs to v.
+  void count(int v, Counts& counts);
+
+  /// Puts what belongs to v behind the counts, which are increased.
+  void write(int v, Mesh& mesh, Counts& counts);
 
  private:
+  void gather(int v);
   void look_at(int v, EdgeId spoke);
 
   const Triangulation& t_;
   std::span<const int> labels_;
   const Numbering& numbering_;
-  Mesh mesh_;
-  std::vector<Corner> corners_;          // of the vertex being added
-  std::vector<Constraint> constraints_;  // of the vertex being added
+  std::vector<Corner> corners_;
+  std::vector<Constraint> constraints_;
 };
 
-void MeshBuilder::look_at(int v, EdgeId spoke) {
+void Fans::look_at(int v, EdgeId spoke) {
   const int second = numbering_.new_id[at(t_.dest(spoke))];
   if (second < v) return;
   if (t_.is_constrained(spoke))
@@ -81,57 +91,69 @@ void MeshBuilder::look_at(int v, EdgeId spoke) {
   if (third > v) corners_.push_back({second, third, t_.left(spoke)});
 }
 
-void MeshBuilder::add_vertex(int v) {
+void Fans::gather(int v) {
   corners_.clear();
   constraints_.clear();
   for_each_spoke(t_, numbering_.slots[at(v)], [&](EdgeId spoke) { look_at(v, spoke); });
+}
+
+void Fans::count(int v, Counts& counts) {
+  gather(v);
+  counts.triangles += corners_.size();
+  counts.edges += constraints_.size();
+}
+
+void Fans::write(int v, Mesh& mesh, Counts& counts) {
+  gather(v);
   std::ranges::sort(corners_, {}, &Corner::second);
   std::ranges::sort(constraints_, {}, &Constraint::larger_end);
   for (const Corner& c : corners_) {
-    mesh_.triangles.push_back({v, c.second, c.third});
-    mesh_.regions.push_back(c.region);
+    mesh.triangles[counts.triangles] = {v, c.second, c.third};
+    mesh.regions[counts.triangles++] = c.region;
   }
   for (const Constraint& c : constraints_) {
-    mesh_.edges.push_back(c.points_to_larger ? std::array{v, c.larger_end} : std::array{c.larger_end, v});
-    mesh_.labels.push_back(c.label);
+    mesh.edges[counts.edges] = c.points_to_larger ? std::array{v, c.larger_end} : std::array{c.larger_end, v};
+    mesh.labels[counts.edges++] = c.label;
   }
 }
 
-/// The lists one after the other, each freed when it has been copied.
-template <class T>
-std::vector<T> joined_lists(std::vector<Mesh>& parts, std::vector<T> Mesh::*list) {
-  if (parts.size() == 1) return std::move(parts[0].*list);
-  std::vector<T> all;
-  std::size_t size = 0;
-  for (const Mesh& part : parts) size += (part.*list).size();
-  all.reserve(size);
-  for (Mesh& part : parts) {
-    all.insert(all.end(), (part.*list).begin(), (part.*list).end());
-    std::vector<T>().swap(part.*list);
+/// What comes before each range of vertices, and the whole as the last.
+std::vector<Counts> counts_before(const Ranges& ranges, const Fans& fans) {
+  std::vector<Counts> counts(at(ranges.count()) + 1);
+  parallel_for(ranges.count(), [&](int range) {
+    Fans own = fans;
+    for (std::size_t v = ranges.first(range); v < ranges.last(range); ++v)
+      own.count(static_cast<int>(v), counts[at(range) + 1]);
+  });
+  for (std::size_t i = 1; i < counts.size(); ++i) {
+    counts[i].triangles += counts[i - 1].triangles;
+    counts[i].edges += counts[i - 1].edges;
   }
-  return all;
+  return counts;
 }
 
 }  // namespace
 
+// Counted first, so that each part is written where it belongs.
 ConvertedMesh to_mesh(const Triangulation& t, std::span<const int> segment_labels) {
   Numbering numbering = numbering_of(t);
   const Ranges ranges(numbering.slots.size());
-  std::vector<Mesh> parts(at(ranges.count()));
+  const Fans fans(t, segment_labels, numbering);
+  const std::vector<Counts> before = counts_before(ranges, fans);
   ConvertedMesh result;
   result.mesh.points.resize(numbering.slots.size());
+  result.mesh.triangles.resize(before.back().triangles);
+  result.mesh.regions.resize(before.back().triangles);
+  result.mesh.edges.resize(before.back().edges);
+  result.mesh.labels.resize(before.back().edges);
   parallel_for(ranges.count(), [&](int range) {
-    MeshBuilder builder(t, segment_labels, numbering);
+    Fans own = fans;
+    Counts counts = before[at(range)];
     for (std::size_t v = ranges.first(range); v < ranges.last(range); ++v) {
       result.mesh.points[v] = t.point(numbering.slots[v]);
-      builder.add_vertex(static_cast<int>(v));
+      own.write(static_cast<int>(v), result.mesh, counts);
     }
-    parts[at(range)] = builder.take();
   });
-  result.mesh.triangles = joined_lists(parts, &Mesh::triangles);
-  result.mesh.regions = joined_lists(parts, &Mesh::regions);
-  result.mesh.edges = joined_lists(parts, &Mesh::edges);
-  result.mesh.labels = joined_lists(parts, &Mesh::labels);
   result.slots = std::move(numbering.slots);
   return result;
 }

@@ -71,7 +71,7 @@ TEST_CASE("the next mesh starts from the particles as forces left them", "[adapt
   metric.metrics.assign(second.mesh.points.size(), Metric::from_sizes(0.05, 0.09, 0.4));
   const BackgroundMesh field(second.mesh, metric.metrics);
   const auto next_from = [&](const Mesh& start) {
-    return generate(input.domain, field, input.mesher, &start).mesh.points;
+    return generate(input.domain, field, input.mesher, start).mesh.points;
   };
   CHECK((remesh(input, second, second.mesh, metric, nullptr).mesh.points == next_from(*second.relaxed)));
   CHECK((next_from(*second.relaxed) != next_from(second.mesh)));

@@ -63,10 +63,10 @@ CallableField field_of(const oracle::ExactMetric& metric) {
 enum class Source { Function, BackgroundMesh };
 
 Mesh remeshed(const Mesh& previous, const CallableField& field, Source source) {
-  if (source == Source::Function) return generate(support::unit_square(), field, {}, &previous).mesh;
+  if (source == Source::Function) return generate(support::unit_square(), field, {}, previous).mesh;
   std::vector<Metric> metrics;
   for (const Point& p : previous.points) metrics.push_back(field.at(p));
-  return generate(support::unit_square(), BackgroundMesh(previous, metrics), {}, &previous).mesh;
+  return generate(support::unit_square(), BackgroundMesh(previous, metrics), {}, previous).mesh;
 }
 
 /// The mesh after cycles from a coarse one, the metric re-evaluated at the new vertices each time.

@@ -251,7 +251,7 @@ TEST_CASE("the next mesh of a domain with cracks starts from the one before", "[
   const ConstantField field(Metric::isotropic(0.1));
   const Mesh first = generate(domain, field).mesh;
   const BackgroundMesh background(first, std::vector<Metric>(first.points.size(), Metric::isotropic(0.1)));
-  const GenerateResult second = generate(domain, background, {}, &first);
+  const GenerateResult second = generate(domain, background, {}, first);
   CHECK(second.report.start == Start::PreviousMesh);
   check_valid(second.mesh, domain, 4.0);
   CHECK(second.mesh.num_vertices() == Approx(first.num_vertices()).epsilon(0.03));

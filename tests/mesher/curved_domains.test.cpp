@@ -2,7 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <utility>
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
@@ -55,8 +57,8 @@ std::vector<CallableField> some_metrics() {
   return fields;
 }
 
-Mesh mesh_of(const Domain& domain, const MetricField& field, const Mesh* previous = nullptr) {
-  return generate(domain, field, {}, previous).mesh;
+Mesh mesh_of(const Domain& domain, const MetricField& field, std::optional<Mesh> previous = std::nullopt) {
+  return generate(domain, field, {}, std::move(previous)).mesh;
 }
 
 }  // namespace
@@ -71,7 +73,7 @@ TEST_CASE("Vertices stay on their circles, for any metric and through warm remes
       CHECK(distance_from_circle(mesh, 1, 2.0) < 1e-14);
       CHECK(distance_from_circle(mesh, 2, 1.0) < 1e-14);
       CHECK(num_edges(mesh, 1) + num_edges(mesh, 2) == static_cast<int>(mesh.edges.size()));
-      mesh = mesh_of(domain, fields[(first + i) % fields.size()], &mesh);
+      mesh = mesh_of(domain, fields[(first + i) % fields.size()], mesh);
     }
   }
 }
@@ -80,8 +82,8 @@ TEST_CASE("A mesh of a curved domain is a start for the next one", "[mesher]") {
   const ConstantField field(Metric::isotropic(0.1));
   const ConstantField finer(Metric::isotropic(0.05));
   const GenerateResult first = generate(support::annulus(), field);
-  CHECK(generate(support::annulus(), field, {}, &first.mesh).report.start == Start::PreviousMesh);
-  CHECK(generate(support::annulus(), finer, {}, &first.mesh).report.start == Start::RefinedPreviousMesh);
+  CHECK(generate(support::annulus(), field, {}, first.mesh).report.start == Start::PreviousMesh);
+  CHECK(generate(support::annulus(), finer, {}, first.mesh).report.start == Start::RefinedPreviousMesh);
 }
 
 TEST_CASE("The area of a disc's mesh approaches the disc's by the square of the edges", "[mesher]") {
@@ -131,7 +133,7 @@ TEST_CASE("A vertex that was rounded in a file is put back on the curve", "[mesh
   for (Point& p : rounded.points)
     if (p.y != 0.0) p = {std::round(p.x * 1e8) / 1e8, std::round(p.y * 1e8) / 1e8};
   REQUIRE(distance_from_circle(rounded, 2, 1.0) > 1e-10);
-  const GenerateResult result = generate(support::annulus(), field, {}, &rounded);
+  const GenerateResult result = generate(support::annulus(), field, {}, rounded);
   CHECK(distance_from_circle(result.mesh, 2, 1.0) < 1e-14);
   CHECK(distance_from_circle(result.mesh, 1, 2.0) < 1e-14);
 }
@@ -204,7 +206,7 @@ TEST_CASE("Random closed splines are meshed in random metrics", "[mesher]") {
       ++refused;  // it crosses itself
       continue;
     }
-    mesh = mesh_of(domain, field, &mesh);
+    mesh = mesh_of(domain, field, mesh);
     CHECK(oracle::problems_of(mesh).empty());
     for (const auto& edge : mesh.edges)
       for (const int v : edge) {

@@ -100,7 +100,7 @@ TEST_CASE("an anisotropic front is met from scratch and from the previous mesh",
   CHECK(quality_in(field, scratch.mesh).unit_edges >= 0.97);
   CHECK(quality_in(field, scratch.mesh).quality_mean >= 0.93);
 
-  const GenerateResult again = generate(domain, field, {}, &scratch.mesh);
+  const GenerateResult again = generate(domain, field, {}, scratch.mesh);
   CHECK(again.report.start == Start::PreviousMesh);
   CHECK(again.report.warnings.empty());
   CHECK(oracle::problems_of(again.mesh).empty());
@@ -108,20 +108,20 @@ TEST_CASE("an anisotropic front is met from scratch and from the previous mesh",
 
   SECTION("a background mesh that carries the metric does as well as the function") {
     const BackgroundMesh background(scratch.mesh, sample(field, scratch.mesh));
-    const GenerateResult third = generate(domain, background, {}, &scratch.mesh);
+    const GenerateResult third = generate(domain, background, {}, scratch.mesh);
     CHECK(oracle::problems_of(third.mesh).empty());
     CHECK(quality_in(background, third.mesh).unit_edges >= 0.98);
   }
   SECTION("a finer metric starts from the refined previous mesh") {
     const CallableField fine = circular_front(0.02, 0.025);
-    const GenerateResult refined = generate(domain, fine, {}, &scratch.mesh);
+    const GenerateResult refined = generate(domain, fine, {}, scratch.mesh);
     CHECK(refined.report.start == Start::RefinedPreviousMesh);
     CHECK(oracle::problems_of(refined.mesh).empty());
     CHECK(quality_in(fine, refined.mesh).unit_edges >= 0.98);
   }
   SECTION("a much coarser metric is met from scratch") {
     const ConstantField coarse(Metric::isotropic(0.2));
-    const GenerateResult few = generate(domain, coarse, {}, &scratch.mesh);
+    const GenerateResult few = generate(domain, coarse, {}, scratch.mesh);
     CHECK(few.report.start == Start::Scratch);
     CHECK(oracle::problems_of(few.mesh).empty());
     CHECK(few.mesh.num_vertices() < 60);
@@ -148,7 +148,7 @@ TEST_CASE("a mesh has the size that its metric asks for, from any previous one",
   const Mesh previous = generate(domain, circular_front(0.05, 0.03)).mesh;
   for (const double refinement : {0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3, 1.6, 2.5}) {
     const GenerateResult made =
-        generate(domain, circular_front(0.05, 0.03 / std::sqrt(refinement)), {.preset = Preset::Good}, &previous);
+        generate(domain, circular_front(0.05, 0.03 / std::sqrt(refinement)), {.preset = Preset::Good}, previous);
     const auto on_boundary = static_cast<double>(made.mesh.edges.size());
     const double expected = 2.0 / std::sqrt(3.0) * made.report.complexity + 0.5 * on_boundary + 1.0;
     CAPTURE(refinement, made.mesh.points.size(), expected, made.report.start_reason);
@@ -159,7 +159,7 @@ TEST_CASE("a mesh has the size that its metric asks for, from any previous one",
 TEST_CASE("a previous mesh of another domain is not used, and that is said", "[mesher][generate]") {
   const ConstantField field(Metric::isotropic(0.2));
   const Mesh other = generate(support::square_with_everything(), field).mesh;
-  const GenerateResult result = generate(support::unit_square(), field, {}, &other);
+  const GenerateResult result = generate(support::unit_square(), field, {}, other);
   CHECK(result.report.start == Start::Scratch);
   REQUIRE(result.report.warnings.size() == 1);
   CHECK(result.report.warnings[0].find("does not fit") != std::string::npos);
@@ -215,7 +215,7 @@ TEST_CASE("given a function's Hessian the mesh is changed to lower its error", "
     CHECK(again.triangles == lower.mesh.triangles);
   }
   SECTION("from a previous mesh too") {
-    const GenerateResult next = generate(domain, field, {.hessian = &hessian}, &*lower.relaxed);
+    const GenerateResult next = generate(domain, field, {.hessian = &hessian}, *lower.relaxed);
     CHECK(next.report.start == Start::PreviousMesh);
     CHECK(oracle::squared_interpolation_error(next.mesh, u) <
           0.95 * oracle::squared_interpolation_error(plain.mesh, u));

@@ -124,14 +124,14 @@ TEST_CASE("a metric that cannot be satisfied gives a valid mesh", "[mesher][gene
   SECTION("from scratch and from the mesh before") {
     const Mesh scratch = generate(domain, field).mesh;
     check_valid(scratch, domain);
-    check_valid(generate(domain, field, {}, &scratch).mesh, domain);
+    check_valid(generate(domain, field, {}, scratch).mesh, domain);
   }
   SECTION("carried by a mesh that does not resolve it") {
     // With an even number of cells, vertices on the thin line would spread its size over whole cells.
     const Mesh coarse = support::rectangle_mesh(9, 9);
     std::vector<Metric> metrics;
     for (const Point& p : coarse.points) metrics.push_back(hard.metric(p));
-    check_valid(generate(domain, BackgroundMesh(coarse, metrics), {}, &coarse).mesh, domain);
+    check_valid(generate(domain, BackgroundMesh(coarse, metrics), {}, coarse).mesh, domain);
   }
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("constraints much nearer than the size give a valid mesh", "[mesher][g
   const ConstantField field(Metric::isotropic(h));
   const Mesh scratch = generate(domain, field).mesh;
   check_valid(scratch, domain);
-  check_valid(generate(domain, field, {}, &scratch).mesh, domain);
+  check_valid(generate(domain, field, {}, scratch).mesh, domain);
 }
 
 TEST_CASE("constraints across an anisotropic metric give a valid mesh", "[mesher][generate]") {
@@ -208,7 +208,7 @@ TEST_CASE("particles go though every star is far from the metric", "[mesher][gen
   for (int i = 0; i < 4; ++i) {
     std::vector<Metric> metrics;
     for (const Point& p : mesh.points) metrics.push_back(band(p));
-    mesh = generate(support::unit_square(), BackgroundMesh(mesh, metrics), {}, &mesh).mesh;
+    mesh = generate(support::unit_square(), BackgroundMesh(mesh, metrics), {}, mesh).mesh;
     most = std::max(most, mesh.num_vertices());
   }
   CAPTURE(most);

@@ -92,7 +92,7 @@ TEST_CASE("a previous mesh that cut a required segment is no start", "[mesher][r
   domain.segments.push_back({4, 5, 7});
   const Mesh cut = uniform(domain, 0.1);
   domain.segments.back().required = true;
-  const GenerateResult result = generate(domain, ConstantField(Metric::isotropic(0.1)), {}, &cut);
+  const GenerateResult result = generate(domain, ConstantField(Metric::isotropic(0.1)), {}, cut);
   CHECK(result.report.start == Start::Scratch);
   CHECK(num_edges_of(result.mesh, 7) == 1);
 }

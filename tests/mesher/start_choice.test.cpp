@@ -74,7 +74,7 @@ TEST_CASE("wherever a layer has moved to, the mesh meets the metric, and the rep
   const double widths = GENERATE(0.0, 0.2, 1.0, 4.0);
   CAPTURE(widths);
   const CallableField moved = layer(width, widths * width);
-  const GenerateResult made = generate(domain, moved, {}, &previous);
+  const GenerateResult made = generate(domain, moved, {}, previous);
   CHECK(made.report.start == (widths < 0.5 ? Start::PreviousMesh : Start::Scratch));
   CHECK_THAT(made.report.start_reason, Catch::Contains("by a factor of"));
   CHECK(oracle::problems_of(made.mesh).empty());
@@ -87,7 +87,7 @@ TEST_CASE("wherever a layer has moved to, the mesh meets the metric, and the rep
 TEST_CASE("a previous mesh that is not used changes nothing", "[mesher][start]") {
   const Mesh previous = generate(support::unit_square(), ConstantField(Metric::isotropic(0.05))).mesh;
   const CallableField field = layer(0.04, 0.0);
-  const GenerateResult with = generate(support::unit_square(), field, {}, &previous);
+  const GenerateResult with = generate(support::unit_square(), field, {}, previous);
   const GenerateResult without = generate(support::unit_square(), field);
   CHECK(with.report.start == Start::Scratch);
   CHECK(with.mesh.points == without.mesh.points);

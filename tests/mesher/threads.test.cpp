@@ -48,7 +48,7 @@ TEST_CASE("any number of threads makes the same mesh", "[mesher][threads]") {
   const auto remeshed = [&](int threads) {
     const Threads scope(threads);
     const Mesh first = generate(domain, CallableField(ring)).mesh;
-    return generate(domain, BackgroundMesh(first, ring_on(first)), {}, &first).mesh;
+    return generate(domain, BackgroundMesh(first, ring_on(first)), {}, first).mesh;
   };
   const Mesh one = remeshed(1);
   REQUIRE(one.num_vertices() > 10000);

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "adapt/hessian_metric.h"
 #include "adapt/indicator_metric.h"
@@ -110,9 +111,7 @@ void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs&
 // Without triangles it is a cloud of samples.
 Mesh read_background(const std::string& path) {
   Mesh mesh = read_mesh_file(path);
-  if (mesh.triangles.empty()) return mesh;
-  cover_boundary(mesh);
-  validate(mesh);
+  if (!mesh.triangles.empty()) complete(mesh);
   return mesh;
 }
 
@@ -173,15 +172,11 @@ void write_voronoi(const std::string& path, const Mesh& mesh) {
   write_any_mesh(path, cells);
 }
 
-bool keeps_triangles(const GeometryInput& geometry) {
-  return geometry.mesh && !geometry.mesh->required.triangles.empty();
-}
-
 // Around required triangles, where there are any: then the mesh that has them is the start.
-GenerateResult generated(const MeshArguments& arguments, const GeometryInput& geometry, const Inputs& inputs,
+GenerateResult generated(const MeshArguments& arguments, const GeometryInput& geometry, Inputs& inputs,
                          const GenerateOptions& options) {
   if (!keeps_triangles(geometry))
-    return generate(geometry.domain, inputs.metric(), options, inputs.previous ? &*inputs.previous : nullptr);
+    return generate(geometry.domain, inputs.metric(), options, std::exchange(inputs.previous, std::nullopt));
   if (inputs.previous)
     throw GeometryError("--from: " + arguments.geometry + " has required triangles and is itself the start");
   return generate_around(*geometry.mesh, inputs.metric(), options);
@@ -196,7 +191,7 @@ ExitCode mesh(const MeshArguments& arguments) {
     return ExitCode::Usage;
   }
   const GeometryInput geometry = read_geometry_to_mesh(arguments.geometry, arguments.repair, arguments.frozen);
-  const Inputs inputs = read_inputs(arguments, geometry.domain);
+  Inputs inputs = read_inputs(arguments, geometry.domain);
   std::optional<EvolutionWriter> evolution;
   if (!arguments.evolution.empty()) evolution.emplace(arguments.evolution);
   const GenerateResult result = generated(arguments, geometry, inputs, generate_options(arguments, inputs, evolution));

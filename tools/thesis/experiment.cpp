@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
+#include <utility>
 
 #include "mesher/io/svg.h"
 
@@ -48,10 +49,10 @@ void Item::add_chart(const std::string& title, std::vector<std::string> columns,
 
 void Item::add_note(const std::string& text) { json_["notes"].push_back(text); }
 
-Run run(const Domain& domain, const MetricField& field, const GenerateOptions& options, const Mesh* previous) {
+Run run(const Domain& domain, const MetricField& field, const GenerateOptions& options, std::optional<Mesh> previous) {
   const auto begin = std::chrono::steady_clock::now();
   const std::clock_t start = std::clock();
-  GenerateResult made = generate(domain, field, options, previous);
+  GenerateResult made = generate(domain, field, options, std::move(previous));
   Run result;
   result.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   result.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -60,7 +60,8 @@ struct Run {
 };
 
 /// Meshes and measures. Throws where the mesh is not valid (generate does).
-Run run(const Domain& domain, const MetricField& field, const GenerateOptions& options, const Mesh* previous = nullptr);
+Run run(const Domain& domain, const MetricField& field, const GenerateOptions& options,
+        std::optional<Mesh> previous = std::nullopt);
 
 /// How many threads meshing uses from here on; 0: one for each core. One at the start, for times are compared.
 void use_threads(int count);

@@ -20,7 +20,7 @@ Item remeshing(const Setting& setting) {
       setting.quick ? std::vector<double>{0.01, 0.5} : std::vector<double>{0.003, 0.01, 0.03, 0.1, 0.3, 1.0};
   for (const double shift : shifts) {
     const auto field = metric_of_thesis(factor, {shift, shift});
-    const Run again = run(domain, *field, as_written(), &start.mesh);
+    const Run again = run(domain, *field, as_written(), start.mesh);
     const Run scratch = run(domain, *field, as_written());
     const double saved = static_cast<double>(again.report->picks) / static_cast<double>(scratch.report->picks);
     if (shift == shifts.front()) smallest_change = saved;

@@ -67,6 +67,7 @@ TEST_CASE("momentum goes on with a share of the last move, where the metric is r
   const VertexId centre = 2 * 5 + 2;
   const auto moved_by = [&](double momentum) {
     ParticleSystem particles = square.particles();
+    particles.keep_velocities();
     particles.set_velocity(centre, {0.02, 0.0});
     sweep(particles, Blocks(particles), 0, targets, {.momentum = momentum});
     return particles.mesh().point(centre) - Point{0.5, 0.5};

@@ -80,7 +80,7 @@ TEST_CASE("same seed, same mesh; another seed, another mesh", "[mesher][particle
 TEST_CASE("from a mesh at equilibrium little is left to do", "[mesher][particles][thesis]") {
   const ConstantField field(Metric::isotropic(0.05));
   const GenerateResult first = generate(support::unit_square(), field, as_written());
-  const GenerateResult again = generate(support::unit_square(), field, as_written(), &first.mesh);
+  const GenerateResult again = generate(support::unit_square(), field, as_written(), first.mesh);
   CHECK(again.report.start == Start::PreviousMesh);
   CHECK(again.report.thesis->picks < first.report.thesis->picks / 2);
   CHECK(again.mesh.num_vertices() == Approx(first.mesh.num_vertices()).epsilon(0.01));
