@@ -46,10 +46,7 @@ class Loop {
     goal_ = size_goal(input.targets);                  // g++ 12 crashes on it in the list above
     if (options.isotropic) case_.lower_error = false;  // its best triangles are anisotropic
     case_.mesher.max_vertices = std::min(case_.mesher.max_vertices, options.max_vertices);
-    if (input.targets.vertices && *input.targets.vertices > options.max_vertices) {
-      throw LimitError("the case aims at " + std::to_string(*input.targets.vertices) +
-                       " vertices, more than the safety limit of " + std::to_string(options.max_vertices));
-    }
+    require_within_limit(input.targets, options.max_vertices);
   }
 
   LoopResult run() {

@@ -109,7 +109,10 @@ std::optional<Expression> CaseReading::expression(const Json& value, const std::
   }
 }
 
-Case parse_case(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
+namespace {
+
+// Whether the domain can be meshed is not looked at.
+Case parse_unclean(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
   CaseReading reading;
   reading.document = load_document(text, file, overrides, reading.issues);
   read_parameters(reading);
@@ -124,7 +127,6 @@ Case parse_case(const std::string& text, const std::string& file, const std::vec
   read_functionals_section(reading, geometry ? &*geometry : nullptr, result);
   read_option_sections(reading, result);
   if (!reading.issues.empty()) throw CaseError(file, place_issues(reading.document, reading.issues));
-  clean(geometry->domain);  // throws GeometryError unless it can be meshed
   result.domain = geometry->domain;
   result.required_regions = geometry->required_regions;
   result.kept = geometry->kept;
@@ -132,8 +134,6 @@ Case parse_case(const std::string& text, const std::string& file, const std::vec
   result.resolved = std::move(reading.document.root);
   return result;
 }
-
-namespace {
 
 std::string case_text(const std::string& path) {
   std::error_code error;
@@ -145,11 +145,17 @@ std::string case_text(const std::string& path) {
 
 }  // namespace
 
+Case parse_case(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
+  Case result = parse_unclean(text, file, overrides);
+  clean(result.domain);  // throws GeometryError unless it can be meshed
+  return result;
+}
+
 Case read_case(const std::string& path, const std::vector<Override>& overrides) {
   return parse_case(case_text(path), path, overrides);
 }
 
-std::optional<Domain> read_case_domain(const std::string& path) {
+std::optional<GeometryInput> read_case_geometry(const std::string& path) {
   constexpr bool throws = false;
   constexpr bool ignores_comments = true;
   const std::string text = case_text(path);
@@ -158,7 +164,8 @@ std::optional<Domain> read_case_domain(const std::string& path) {
   if (!root.is_object() || !root.contains("geometry") || root.contains("type")) return std::nullopt;
   std::vector<Override> any_problem;
   if (!root.contains("problem")) any_problem.push_back({"/problem", R"({"interpolate": 0})"});
-  return parse_case(text, path, any_problem).domain;
+  Case input = parse_unclean(text, path, any_problem);
+  return GeometryInput{std::move(input.domain), std::move(input.kept)};
 }
 
 }  // namespace parmesan

@@ -9,6 +9,7 @@
 
 #include "adapt/expression.h"
 #include "adapt/given_field.h"
+#include "adapt/io/any_geometry.h"
 #include "fem/problem.h"
 #include "fem/recovery.h"
 #include "mesher/generate.h"
@@ -120,9 +121,10 @@ Case read_case(const std::string& path, const std::vector<Override>& overrides =
 /// The same from text; file is used in messages and to find files the case names.
 Case parse_case(const std::string& text, const std::string& file, const std::vector<Override>& overrides = {});
 
-/// The domain of a case file, or of a JSON file that has only the "geometry", and "parameters", of a case. Nothing when
-/// the file is not of this kind: JSON with the key "geometry" and without GeoJSON's "type". Errors: as read_case.
-std::optional<Domain> read_case_domain(const std::string& path);
+/// What a case file, or a JSON file that has only the "geometry", and "parameters", of a case, describes: the domain as
+/// it is written, not cleaned, and the mesh that has the triangles it requires. Nothing when the file is not of this
+/// kind: JSON with the key "geometry" and without GeoJSON's "type". Errors: as read_case.
+std::optional<GeometryInput> read_case_geometry(const std::string& path);
 
 /// JSON Schema (draft 2020-12) of case files.
 nlohmann::ordered_json case_schema();

@@ -63,7 +63,7 @@ std::optional<std::string> warn_beyond(const GivenField& field, const Mesh& mesh
   if (farthest <= much * bounding_diagonal(field.mesh.points)) return std::nullopt;
   return "the domain reaches beyond the mesh of the given function, by about " + short_number(farthest, 2) + " at (" +
          short_number(where.x, 4) + ", " + short_number(where.y, 4) +
-         "): there the function goes on with the value of the nearest place";
+         "): there the function goes on with the value of the nearest place, which meshes are not adapted to";
 }
 
 }  // namespace parmesan

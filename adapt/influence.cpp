@@ -75,13 +75,17 @@ std::vector<double> payne_function(const Mesh& mesh, const std::vector<Symmetric
   return patch_means(mesh, payne);
 }
 
-/// S without the ratio.
+/// S without the ratio, nowhere more than in the middle of a domain that conducts alike. In the direction in which K is
+/// small it would be (k1/k2)^(1/2) / 2, and be felt by triangles long in the other, whose direction is not known so
+/// well.
 SymmetricTensor strip(const SymmetricTensor& diffusion, double torsion, const Vector& gradient, double payne) {
   const double root = std::sqrt(determinant(diffusion));
   const SymmetricTensor along = (1.0 / root) * SymmetricTensor{diffusion.yy, -diffusion.xy, diffusion.xx};
   const SymmetricTensor across =
       root * SymmetricTensor{gradient.x * gradient.x, gradient.x * gradient.y, gradient.y * gradient.y};
-  return (torsion / payne) * along + (0.5 / payne) * across;
+  constexpr double most = 0.5;
+  const Eigen2 e = eigen_decomposition((torsion / payne) * along + (0.5 / payne) * across);
+  return compose({std::min(e.l1, most), std::min(e.l2, most), e.axis});
 }
 
 }  // namespace

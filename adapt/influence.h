@@ -19,10 +19,10 @@ namespace parmesan {
 ///
 ///     S = min(1, |z|/T) (2 T sqrt(det K) K^-1 + sqrt(det K) grad T grad T^T) / (2 P).
 ///
-/// Across the strip that is 1/2, along it T/P: 0 at sides that hold u, 1/2 in the middle. T is 0 on sides with
-/// Dirichlet and Robin conditions, on all sides where there are none. An estimate: how its powers of K and the ratio
-/// z/T were found good is in adapt/README. Shape: one per vertex. Errors: as solve. Cost: two solves, one without
-/// velocity and reaction.
+/// Across the strip that is 1/2, along it T/P: 0 at sides that hold u, 1/2 in the middle. Eigenvalues of S are 1/2 at
+/// most. T is 0 on sides with Dirichlet and Robin conditions, on all sides where there are none. An estimate: how its
+/// powers of K and the ratio z/T were found good is in adapt/README. Shape: one per vertex. Errors: as solve. Cost: two
+/// solves, one without velocity and reaction.
 std::vector<SymmetricTensor> influence(const Mesh& mesh, const Problem& problem);
 
 }  // namespace parmesan

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+
+#include "mesher/errors.h"
 
 namespace parmesan {
 
@@ -29,6 +32,12 @@ bool declares_norm_target(const Targets& targets) { return targets.l2_error || t
 ErrorMeasure error_measure(const Targets& targets) {
   const bool only_h1 = targets.h1_error && !targets.l2_error && !targets.linf_error;
   return only_h1 ? ErrorMeasure::H1 : ErrorMeasure::Lp;
+}
+
+void require_within_limit(const Targets& targets, std::int64_t max_vertices) {
+  if (!targets.vertices || *targets.vertices <= max_vertices) return;
+  throw LimitError("the case aims at " + std::to_string(*targets.vertices) +
+                   " vertices, more than the safety limit of " + std::to_string(max_vertices));
 }
 
 bool is_round_off(double l2, std::span<const double> values) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -23,6 +24,9 @@ bool declares_norm_target(const Targets& targets);
 
 /// The error that metrics are to make small: H1 where the case's only error target is an H1 error.
 ErrorMeasure error_measure(const Targets& targets);
+
+/// Throws LimitError for a number of vertices aimed at that is above the safety limit.
+void require_within_limit(const Targets& targets, std::int64_t max_vertices);
 
 /// Whether an L2 error is no more than the round-off of a function with these nodal values: 1e-14 of the largest.
 bool is_round_off(double l2, std::span<const double> values);

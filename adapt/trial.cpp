@@ -7,6 +7,7 @@
 
 #include "adapt/iterate.h"
 #include "adapt/number_text.h"
+#include "adapt/targets.h"
 #include "mesher/errors.h"
 #include "mesher/metric/complexity.h"
 
@@ -26,6 +27,7 @@ void refuse_small_sizes(const Case& input, double domain_area, std::int64_t max_
 
 IterationRow try_out(const Case& input, std::int64_t max_vertices) {
   constexpr std::int64_t few = 400;
+  require_within_limit(input.targets, max_vertices);
   std::int64_t vertices = std::min(few, input.initial_vertices);
   for (const std::optional<std::int64_t>& bound : {input.targets.vertices, input.targets.max_vertices})
     vertices = std::min(vertices, bound.value_or(vertices));

@@ -1,6 +1,7 @@
 #include "fem/norms.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -18,8 +19,7 @@ constexpr double Tolerance = 1e-3;         // of the mean integral per triangle
 constexpr int MaxLevels = 14;              // of the subdivision
 constexpr std::size_t MaxOpen = 40'000;    // of one level; a line on which the gradient is infinite asks for any number
 constexpr int SkipDegree10Above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
-constexpr std::size_t NumPeaks = 64;       // triangles whose largest error is looked for more closely
-constexpr int PeakDepth = 3;               // levels of subdivision there
+constexpr std::size_t NumPeaks = 256;      // triangles whose largest error is searched for
 
 /// Integrals of |e|, e^2 and |grad e|^2 over a triangle or a part of one, and the largest |e|.
 struct Integrals {
@@ -71,6 +71,12 @@ class ElementError {
       sum.largest = std::max(sum.largest, std::abs(e));
     }
     return sum;
+  }
+
+  /// |e| at a place of the element, 0 where it is not finite.
+  double size_at(const std::array<double, 3>& lambda) const {
+    const double e = error_at(element_.at(lambda));
+    return std::isfinite(e) ? std::abs(e) : 0.0;
   }
 
  private:
@@ -125,14 +131,51 @@ struct OpenTriangle {
   Integrals integrals;
 };
 
-/// The largest |e| at the points of the degree 6 rule on parts of a triangle.
-double sampled_maximum(const ElementError& error, const Corners& corners, int levels) {
-  if (levels == 0) return error.integrate(corners, 1.0, degree6_rule()).largest;
-  double largest = 0.0;
-  for (const Corners& child : subdivide(corners))
-    largest = std::max(largest, sampled_maximum(error, child, levels - 1));
-  return largest;
-}
+/// Searches for the largest |e| of an element: the best point of a lattice, then by halved steps from there. All a
+/// little inside, since exact functions may jump at sides.
+class PeakSearch {
+ public:
+  explicit PeakSearch(const ElementError& error) : error_(error) {}
+
+  double run() {
+    constexpr int order = 8, halvings = 6;
+    for (int i = 0; i <= order; ++i)
+      for (int j = 0; i + j <= order; ++j)
+        look_at({static_cast<double>(i) / order, static_cast<double>(j) / order,
+                 static_cast<double>(order - i - j) / order});
+    double step = 0.5 / order;
+    for (int h = 0; h < halvings; ++h, step *= 0.5) look_around(step);
+    return largest_;
+  }
+
+ private:
+  void look_at(const std::array<double, 3>& lambda) {
+    constexpr double inside = 1e-9;
+    if (*std::ranges::min_element(lambda) < 0.0) return;
+    std::array<double, 3> inner = lambda;
+    for (double& l : inner) l += inside * (1.0 / 3.0 - l);
+    const double size = error_.size_at(inner);
+    if (size <= largest_) return;
+    largest_ = size;
+    best_ = lambda;
+  }
+
+  void look_around(double step) {
+    const std::array<double, 3> center = best_;
+    for (std::size_t from = 0; from < 3; ++from) {
+      for (std::size_t to = 0; to < 3; ++to) {
+        std::array<double, 3> lambda = center;
+        lambda[from] -= step;
+        lambda[to] += step;
+        if (from != to) look_at(lambda);
+      }
+    }
+  }
+
+  const ElementError& error_;
+  std::array<double, 3> best_{};
+  double largest_ = 0.0;
+};
 
 /// The triangles in which the error was seen to be largest.
 std::vector<std::size_t> peaks(const std::vector<double>& largest) {
@@ -191,7 +234,8 @@ class MeshError {
     for (const OpenTriangle& unconfirmed : open) add(unconfirmed.triangle, unconfirmed.integrals);
     for (const std::size_t t : peaks(largest)) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
-      sum.largest = std::max(sum.largest, sampled_maximum(error_on(element, t), element.p, PeakDepth));
+      const ElementError error = error_on(element, t);
+      sum.largest = std::max(sum.largest, PeakSearch(error).run());
     }
     return sum;
   }

@@ -33,7 +33,7 @@ std::vector<double> interpolate(const Mesh& mesh, const std::function<double(con
 /// subdivided 1:4, at most 14 times, and as long as a level has at most 40 000 parts and one per triangle more.
 /// On meshes of more than 20000 triangles the degree 6 rule is
 /// enough where the degree 4 rule agrees ten times closer. linf is the largest |e| at the points
-/// used, and at those of a subdivision into 64 of the worst triangles.
+/// used, and the one that a search finds in the 256 worst triangles.
 /// Quadrature points never lie on vertices or edges; where the exact function is not finite they
 /// are left out and counted. h1 is NaN without a gradient. The exact function is called from one
 /// thread. Errors: InputError when the sizes differ. Cost: 18 to 54 points per smooth triangle.

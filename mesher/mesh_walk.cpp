@@ -27,24 +27,21 @@ MeshPlace MeshWalk::locate(const Point& p) {
 std::optional<MeshPlace> MeshWalk::find(const Point& p) {
   if (walk(p)) return here_;
   const MeshPlace place = nearest(p);
-  here_ = {place.triangle, weights(place.triangle, p)};
+  here_ = {place.triangle, barycentric(corners(place.triangle), p)};
   return *std::ranges::min_element(here_.weights) >= -slack ? std::optional(here_) : std::nullopt;
 }
 
-std::array<double, 3> MeshWalk::weights(std::size_t triangle, const Point& p) const {
-  const auto& t = mesh_.triangles[triangle];
-  const Point& a = mesh_.points[static_cast<std::size_t>(t[0])];
-  const Point& b = mesh_.points[static_cast<std::size_t>(t[1])];
-  const Point& c = mesh_.points[static_cast<std::size_t>(t[2])];
-  const double area = doubled_area(a, b, c);
-  return {doubled_area(p, b, c) / area, doubled_area(a, p, c) / area, doubled_area(a, b, p) / area};
+std::array<Point, 3> MeshWalk::corners(std::size_t triangle) const {
+  const auto& [a, b, c] = mesh_.triangles[triangle];
+  return {mesh_.points[static_cast<std::size_t>(a)], mesh_.points[static_cast<std::size_t>(b)],
+          mesh_.points[static_cast<std::size_t>(c)]};
 }
 
 // Leaves through the side that has p farthest behind it; may cycle or end at the boundary.
 bool MeshWalk::walk(const Point& p) {
   constexpr int max_steps = 5000;
   for (int step = 0; step < max_steps; ++step) {
-    here_.weights = weights(here_.triangle, p);
+    here_.weights = barycentric(corners(here_.triangle), p);
     const auto worst = std::ranges::min_element(here_.weights);
     if (*worst >= -slack) return true;
     const int next = neighbors_[here_.triangle][static_cast<std::size_t>(worst - here_.weights.begin())];
@@ -54,16 +51,11 @@ bool MeshWalk::walk(const Point& p) {
   return false;
 }
 
-Point MeshWalk::point(const MeshPlace& place) const {
-  Point p;
-  for (std::size_t k = 0; k < 3; ++k)
-    p = p + place.weights[k] * mesh_.points[static_cast<std::size_t>(mesh_.triangles[place.triangle][k])];
-  return p;
-}
-
 MeshPlace MeshWalk::nearest(const Point& p) const {
-  const auto place = [&](std::size_t t) { return MeshPlace{t, clamped(weights(t, p))}; };
-  return place(boxes_.nearest(p, [&](std::size_t t) { return squared_norm(point(place(t)) - p); }));
+  const auto weights = [&](std::size_t t) { return nearest_in_triangle(corners(t), p); };
+  const std::size_t nearest =
+      boxes_.nearest(p, [&](std::size_t t) { return squared_norm(point_at(corners(t), weights(t)) - p); });
+  return {nearest, weights(nearest)};
 }
 
 }  // namespace parmesan

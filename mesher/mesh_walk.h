@@ -31,10 +31,9 @@ class MeshWalk {
 
  private:
   static constexpr double slack = 1e-12;  // in barycentric coordinates
-  std::array<double, 3> weights(std::size_t triangle, const Point& p) const;
+  std::array<Point, 3> corners(std::size_t triangle) const;
   bool walk(const Point& p);
   MeshPlace nearest(const Point& p) const;
-  Point point(const MeshPlace& place) const;
 
   const Mesh& mesh_;
   std::vector<std::array<int, 3>> neighbors_;

@@ -1,9 +1,11 @@
 #include "adapt/io/any_geometry.h"
 
+#include <string>
 #include <utility>
 
 #include "adapt/io/geojson.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/predicates.h"
 #include "mesher/io/boundary_edges.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/io/mesh_file.h"
@@ -17,21 +19,32 @@ bool is_geojson_file_name(const std::string& path) {
   return suffix == ".geojson" || suffix == ".json";
 }
 
+// Its sides would enclose nothing, or something else.
+void refuse_clockwise_triangles(const Mesh& mesh) {
+  for (int i = 0; i < mesh.num_triangles(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(i)];
+    const auto point = [&mesh](int v) { return mesh.points[static_cast<std::size_t>(v)]; };
+    if (orient2d(point(a), point(b), point(c)) < 0.0)
+      throw GeometryError("triangle " + std::to_string(i) + " is clockwise, others are not", {i});
+  }
+}
+
 }  // namespace
 
-Domain read_any_geometry(const std::string& path) {
-  if (is_geojson_file_name(path)) return read_geojson(path);
+Domain read_any_geometry(const std::string& path, Crossings crossings) {
+  if (is_geojson_file_name(path)) return read_geojson(path, crossings);
   if (is_geometry_file_name(path)) return read_geometry(path);
   throw FileError(
       path, 0,
       "no geometry is read from this suffix; known are .poly .dat .geojson .json .mesh .meshb .msh .node .ele");
 }
 
-GeometryInput read_geometry_input(const std::string& path) {
+GeometryInput read_geometry_input(const std::string& path, Crossings crossings) {
   const bool may_be_mesh = is_geometry_file_name(path) && !is_domain_file_name(path);
-  if (!may_be_mesh) return {read_any_geometry(path), std::nullopt};
+  if (!may_be_mesh) return {read_any_geometry(path, crossings), std::nullopt};
   Mesh mesh = read_mesh_file(path);
   if (mesh.triangles.empty()) return {geometry_of(std::move(mesh)), std::nullopt};
+  refuse_clockwise_triangles(mesh);
   Domain domain = domain_of(mesh);
   cover_boundary(mesh);
   return {std::move(domain), std::move(mesh)};

@@ -1,5 +1,7 @@
 #include "adapt/io/geojson.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -25,6 +27,7 @@ Domain domain_of_feature(const GeoFeature& feature) {
   Domain domain;
   domain.inside = Inside::EvenOdd;
   domain.label_names[1] = "boundary";
+  if (!feature.name.empty()) domain.region_names[0] = feature.name;
   int last_label = 1;
   for (const GeoPolygon& polygon : feature.polygons) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -55,12 +58,33 @@ bool encloses(const GeoFeature& feature, const Point& p) {
   return is_inside;
 }
 
-/// The region of a point: 1 for the first feature, 0 outside of all.
-int region_at(const std::vector<GeoFeature>& features, const Point& p) {
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    if (encloses(features[i], p)) return static_cast<int>(i) + 1;
+/// Twice the area of all rings, holes not taken off.
+double doubled_area(const GeoFeature& feature) {
+  double sum = 0.0;
+  for (const GeoPolygon& polygon : feature.polygons) {
+    for (const GeoRing& ring : polygon) {
+      double of_ring = 0.0;
+      for (std::size_t i = 1; i + 1 < ring.size(); ++i) of_ring += doubled_area(ring[0], ring[i], ring[i + 1]);
+      sum += std::abs(of_ring);
+    }
   }
-  return 0;
+  return sum;
+}
+
+/// The regions 1, 2, ... of the features, the smallest first.
+std::vector<int> by_area(const std::vector<GeoFeature>& features) {
+  std::vector<double> areas;
+  for (const GeoFeature& feature : features) areas.push_back(doubled_area(feature));
+  std::vector<int> regions(features.size());
+  std::iota(regions.begin(), regions.end(), 1);
+  std::ranges::stable_sort(regions, {}, [&areas](int region) { return areas[at(region - 1)]; });
+  return regions;
+}
+
+/// The first of the regions that a point is in, 0 outside of all.
+int region_at(const std::vector<GeoFeature>& features, const std::vector<int>& regions, const Point& p) {
+  const auto found = std::ranges::find_if(regions, [&](int region) { return encloses(features[at(region - 1)], p); });
+  return found == regions.end() ? 0 : *found;
 }
 
 /// The first triangle of the part, bounded by edges, to which each triangle belongs.
@@ -99,8 +123,9 @@ void find_regions(const std::vector<GeoFeature>& features, Mesh& mesh) {
     int& champion = largest[at(part[at(t)])];
     if (area_of(mesh, t) > area_of(mesh, champion)) champion = t;
   }
+  const std::vector<int> regions = by_area(features);
   for (int t = 0; t < mesh.num_triangles(); ++t) {
-    if (part[at(t)] == t) mesh.regions[at(t)] = region_at(features, centroid_of(mesh, largest[at(t)]));
+    if (part[at(t)] == t) mesh.regions[at(t)] = region_at(features, regions, centroid_of(mesh, largest[at(t)]));
     mesh.regions[at(t)] = mesh.regions[at(part[at(t)])];
   }
 }
@@ -117,7 +142,7 @@ void drop_outside(Mesh& mesh) {
 }
 
 /// All the rings enclose is triangulated; its parts then are in a feature or in none.
-Domain domain_of_features(const std::vector<GeoFeature>& features) {
+Domain domain_of_features(const std::vector<GeoFeature>& features, Crossings crossings) {
   Domain all;
   for (std::size_t i = 0; i < features.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
@@ -127,7 +152,7 @@ Domain domain_of_features(const std::vector<GeoFeature>& features) {
     }
   }
   all.region_names = all.label_names;
-  Mesh mesh = delaunay_mesh(all).mesh;
+  Mesh mesh = delaunay_mesh(crossings == Crossings::Split ? clean(all, crossings).domain : all).mesh;
   find_regions(features, mesh);
   drop_outside(mesh);
   return domain_of(mesh);
@@ -135,11 +160,13 @@ Domain domain_of_features(const std::vector<GeoFeature>& features) {
 
 }  // namespace
 
-Domain parse_geojson(const std::string& text, const std::string& name) {
+Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings) {
   const std::vector<GeoFeature> features = parse_geojson_features(text, name);
-  return features.size() == 1 ? domain_of_feature(features.front()) : domain_of_features(features);
+  return features.size() == 1 ? domain_of_feature(features.front()) : domain_of_features(features, crossings);
 }
 
-Domain read_geojson(const std::string& path) { return parse_geojson(read_file(path, kMaxGeoJsonBytes), path); }
+Domain read_geojson(const std::string& path, Crossings crossings) {
+  return parse_geojson(read_file(path, kMaxGeoJsonBytes), path, crossings);
+}
 
 }  // namespace parmesan

@@ -15,10 +15,10 @@ inline constexpr int kMaxGeoJsonDepth = 64;
 ///
 /// The inside of a feature is what an odd number of its rings enclose, whatever their direction. One feature is a
 /// domain with the sides "boundary" and "hole1", "hole2", ... Several are the regions of one domain, by their
-/// properties' name or "feature1", ..., where they overlap the first one's, with sides of the same names.
+/// properties' name or "feature1", ..., where they overlap the smallest one's, with sides of the same names.
 /// Errors: FileError with the line and the JSON pointer, also for geometries that are not polygons; GeometryError for
-/// several features whose rings cross.
-Domain read_geojson(const std::string& path);
-Domain parse_geojson(const std::string& text, const std::string& name);
+/// several features whose rings cross, unless they are to be split there.
+Domain read_geojson(const std::string& path, Crossings crossings = Crossings::Refuse);
+Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings = Crossings::Refuse);
 
 }  // namespace parmesan

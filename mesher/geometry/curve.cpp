@@ -94,9 +94,11 @@ void Curve::sample() {
   if (!(extent_ > 0.0)) throw GeometryError("a curve stays in one place");
 }
 
-// Halved until little is turned; where that does not help there is a kink.
+// Halved until little is turned; where that does not help there is a kink. One at an end is where a longer curve was
+// split there, but for rounding.
 void Curve::sample_between(double from, double to) {
   constexpr double smallest = 1e-13;
+  constexpr double at_end = 1e-12;
   constexpr std::size_t max_samples = 1'000'000;
   std::vector<double> ends{to};
   while (!ends.empty()) {
@@ -113,8 +115,8 @@ void Curve::sample_between(double from, double to) {
       ends.push_back(middle);
       continue;
     }
-    if (turned > max_turn && end < 1.0) {
-      kinks_.push_back(end);
+    if (turned > max_turn) {
+      if (end > at_end && end < 1.0 - at_end) kinks_.push_back(end);
       turned = 0.0;
     }
     samples_.push_back({end, b, samples_.back().turned + turned, distance_to_chord(m, a, b)});

@@ -110,7 +110,7 @@ DomainRepair require_enclosure(DomainRepair repair);
 /// Where two segments cross, rounded.
 Point crossing_of(const DomainRepair& repair, int s, int t);
 
-/// Gives a crack of one segment with two free ends a point in its middle: one edge alone could not open.
+/// Gives a crack of one segment a point in its middle, unless another goes on: one edge alone might not open.
 DomainRepair halve_single_cracks(DomainRepair repair);
 
 /// Notes the two nearest points if they are under 1e-7 of the diameter or 16 ulp apart.

@@ -153,18 +153,17 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
 }
 
 DomainRepair halve_single_cracks(DomainRepair repair) {
-  std::vector<int> cracks(repair.domain.points.size(), 0), others(repair.domain.points.size(), 0);
+  std::vector<int> cracks(repair.domain.points.size(), 0);
   for (const Segment& s : repair.domain.segments)
-    for (const int v : {s.a, s.b}) ++(s.label_right ? cracks : others)[static_cast<std::size_t>(v)];
-  // Two others may be the boundary, where a crack is open; one is an inner segment that ends there.
-  const auto is_tip = [&](int v) {
-    return cracks[static_cast<std::size_t>(v)] == 1 && others[static_cast<std::size_t>(v)] < 2;
-  };
+    if (s.label_right)
+      for (const int v : {s.a, s.b}) ++cracks[static_cast<std::size_t>(v)];
+  // Whether other segments there are the boundary, where it would be open, is not known yet.
+  const auto may_be_tip = [&](int v) { return cracks[static_cast<std::size_t>(v)] == 1; };
   int next_source = repair.next_source_point();
   const std::size_t num_segments = repair.domain.segments.size();
   for (std::size_t i = 0; i < num_segments; ++i) {
     const Segment whole = repair.domain.segments[i];
-    if (!whole.label_right || !whole.is_straight() || !is_tip(whole.a) || !is_tip(whole.b)) continue;
+    if (!whole.label_right || !whole.is_straight() || !may_be_tip(whole.a) || !may_be_tip(whole.b)) continue;
     const int middle = static_cast<int>(repair.domain.points.size());
     repair.domain.points.push_back(midpoint(repair.point(whole.a), repair.point(whole.b)));
     repair.point_sources.push_back(next_source++);

@@ -1,6 +1,7 @@
 #include "mesher/io/mesh_file.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -117,16 +118,31 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
   }
 }
 
+namespace {
+
+// A mesh in which only some are clockwise is wrong.
+Mesh turned_if_clockwise(Mesh mesh) {
+  const auto is_clockwise = [&mesh](const std::array<int, 3>& t) {
+    const auto corner = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k])]; };
+    return doubled_area(corner(0), corner(1), corner(2)) < 0.0;
+  };
+  if (std::ranges::all_of(mesh.triangles, is_clockwise))
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+}  // namespace
+
 Mesh read_mesh_file(const std::string& path) {
   switch (format_of(path)) {
     case Format::Medit:
-      return read_medit(path);
+      return turned_if_clockwise(read_medit(path));
     case Format::BinaryMedit:
-      return read_meshb(path);
+      return turned_if_clockwise(read_meshb(path));
     case Format::Gmsh:
       return read_msh(path).mesh;
     case Format::Triangle:
-      return read_triangle_mesh(path);
+      return turned_if_clockwise(read_triangle_mesh(path));
     default:
       throw FileError(path, 0, "no mesh is read from this suffix; known are .mesh .meshb .msh .node .ele");
   }

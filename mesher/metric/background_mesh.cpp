@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/cracks.h"
+#include "mesher/metric/exponential_mean.h"
 #include "mesher/parallel.h"
 
 namespace parmesan {
@@ -51,6 +52,13 @@ Metric BackgroundMesh::metric_of(const SymmetricTensor& tensor) const {
   return interpolation_ == MetricInterpolation::LogEuclidean ? Metric::from_log(tensor) : Metric::from_tensor(tensor);
 }
 
+// sqrt(det M) is exp of half the trace of log M, which is linear. Else that at the center.
+double BackgroundMesh::mean_density(const SymmetricTensor& a, const SymmetricTensor& b,
+                                    const SymmetricTensor& c) const {
+  if (interpolation_ != MetricInterpolation::LogEuclidean) return metric_of(mean(a, b, c)).density();
+  return exponential_mean(0.5 * trace(a), 0.5 * trace(b), 0.5 * trace(c));
+}
+
 Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const { return metric_of(tensors_.at(p, hint)); }
 
 std::vector<FieldSample> BackgroundMesh::samples() const {
@@ -66,9 +74,9 @@ std::vector<FieldSample> BackgroundMesh::samples() const {
   for (const TensorInterpolant::Triangle& triangle : tensors_.triangles()) {
     const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(triangle.corners[k]); };
     const std::size_t a = corner(0), b = corner(1), c = corner(2);
-    const SymmetricTensor mean = (1.0 / 3.0) * (vertices[a].tensor + vertices[b].tensor + vertices[c].tensor);
     const double area = 0.5 * doubled_area(vertices[a].point, vertices[b].point, vertices[c].point);
-    const double share = area * metric_of(mean).density() / (density[a] + density[b] + density[c]);
+    const double mean = mean_density(vertices[a].tensor, vertices[b].tensor, vertices[c].tensor);
+    const double share = area * mean / (density[a] + density[b] + density[c]);
     for (const std::size_t v : {a, b, c}) samples[v].complexity += share * density[v];
   }
   return samples;

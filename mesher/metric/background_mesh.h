@@ -25,12 +25,12 @@ class BackgroundMesh final : public MetricField {
   using MetricField::at;
   Metric at(const Point& p, MetricHint& hint) const override;
 
-  /// The vertices. A triangle's complexity, taken with the density at its center, is shared by its corners as their
-  /// densities are.
+  /// The vertices. A triangle's complexity is shared by its corners as their densities are.
   std::vector<FieldSample> samples() const override;
 
  private:
   Metric metric_of(const SymmetricTensor& tensor) const;
+  double mean_density(const SymmetricTensor& a, const SymmetricTensor& b, const SymmetricTensor& c) const;
 
   TensorInterpolant tensors_;  // log M or M
   MetricInterpolation interpolation_;

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/barycentric.h"
-#include "mesher/geometry/predicates.h"
-#include "mesher/geometry/segment_tree.h"
 #include "mesher/triangulation/neighbors.h"
 #include "mesher/triangulation/ordering.h"
 
@@ -43,45 +40,11 @@ void TensorInterpolant::build(const Mesh& mesh, std::span<const SymmetricTensor>
     for (const int corner : triangles_[t].corners) box.add(vertex(corner).point);
     return box;
   });
-  build_hull();
-}
-
-std::array<int, 2> TensorInterpolant::ends(const HullSide& side) const {
-  const auto& corners = triangles_[static_cast<std::size_t>(side.triangle)].corners;
-  return {corners[(side.opposite + 1) % 3], corners[(side.opposite + 2) % 3]};
-}
-
-// Convex: one loop that never turns to the right.
-void TensorInterpolant::build_hull() {
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (triangles_[t].neighbors[k] < 0) hull_.push_back({static_cast<int>(t), k});
-  if (hull_.empty()) return;
-  std::map<int, int> next;
-  for (const HullSide& side : hull_) next[ends(side)[0]] = ends(side)[1];
-  const int first = next.begin()->first;
-  int a = first, b = next.at(a);
-  std::size_t length = 0;
-  bool is_convex = true;
-  do {
-    const auto found = next.find(b);
-    is_convex = found != next.end() && orient2d(vertex(a).point, vertex(b).point, vertex(found->second).point) >= 0.0;
-    if (!is_convex) break;
-    a = b;
-    b = found->second;
-    ++length;
-  } while (a != first && length <= hull_.size());
-  if (!is_convex || length != hull_.size()) hull_.clear();
-  hull_boxes_ = BoxTree(hull_.size(), [this](std::size_t i) {
-    BoxTree::Box box;
-    for (const int end : ends(hull_[i])) box.add(vertex(end).point);
-    return box;
-  });
 }
 
 SymmetricTensor TensorInterpolant::at(const Point& p, MetricHint& hint) const {
   Location where = locate(p, hint >= 0 && hint < static_cast<int>(triangles_.size()) ? hint : near(p));
-  if (where.triangle < 0) where = where.is_beyond && !hull_.empty() ? nearest_on_hull(p) : locate_nearest(p);
+  if (where.triangle < 0) where = locate_nearest(p);
   hint = where.triangle;
   const auto& corners = triangles_[static_cast<std::size_t>(where.triangle)].corners;
   SymmetricTensor tensor{};
@@ -134,7 +97,7 @@ TensorInterpolant::Location TensorInterpolant::locate(const Point& p, int start)
     const int out = side_to_cross(w, neighbors, tolerance);
     if (out < 0) {
       const std::array<double, 3> weights{w[0] / area, w[1] / area, w[2] / area};
-      if (std::min({weights[0], weights[1], weights[2]}) < -slack) return {.is_beyond = true};
+      if (std::min({weights[0], weights[1], weights[2]}) < -slack) return {};
       return {triangle, clamped(weights)};
     }
     triangle = neighbors[static_cast<std::size_t>(out)];
@@ -142,36 +105,16 @@ TensorInterpolant::Location TensorInterpolant::locate(const Point& p, int start)
   return {};
 }
 
-// The triangle that p lies in, else the one with the point nearest to p in clamped coordinates.
+// The triangle that p lies in, else the one with the point nearest to it.
 TensorInterpolant::Location TensorInterpolant::locate_nearest(const Point& p) const {
-  const auto weights = [&](std::size_t t) {
-    const Point& a = vertex(triangles_[t].corners[0]).point;
-    const Point& b = vertex(triangles_[t].corners[1]).point;
-    const Point& c = vertex(triangles_[t].corners[2]).point;
-    const double area = doubled_area(a, b, c);
-    return clamped({doubled_area(p, b, c) / area, doubled_area(a, p, c) / area, doubled_area(a, b, p) / area});
+  const auto corners = [&](std::size_t t) {
+    const auto& [a, b, c] = triangles_[t].corners;
+    return std::array{vertex(a).point, vertex(b).point, vertex(c).point};
   };
-  const std::size_t nearest = boxes_.nearest(p, [&](std::size_t t) {
-    const std::array<double, 3> w = weights(t);
-    const auto corner = [&](std::size_t k) { return vertex(triangles_[t].corners[k]).point; };
-    return squared_norm(w[0] * corner(0) + w[1] * corner(1) + w[2] * corner(2) - p);
-  });
+  const auto weights = [&](std::size_t t) { return nearest_in_triangle(corners(t), p); };
+  const std::size_t nearest =
+      boxes_.nearest(p, [&](std::size_t t) { return squared_norm(point_at(corners(t), weights(t)) - p); });
   return {static_cast<int>(nearest), weights(nearest)};
-}
-
-TensorInterpolant::Location TensorInterpolant::nearest_on_hull(const Point& p) const {
-  const auto place = [&](std::size_t i) {
-    const auto [a, b] = ends(hull_[i]);
-    return nearest_on_segment(vertex(a).point, vertex(b).point, p);
-  };
-  const std::size_t nearest = hull_boxes_.nearest(p, [&](std::size_t i) { return squared_norm(place(i) - p); });
-  const auto [a, b] = ends(hull_[nearest]);
-  const double length = norm(vertex(b).point - vertex(a).point);
-  const double share = length > 0.0 ? std::min(norm(place(nearest) - vertex(a).point) / length, 1.0) : 0.0;
-  Location where{.triangle = hull_[nearest].triangle};
-  where.weights[(hull_[nearest].opposite + 1) % 3] = 1.0 - share;
-  where.weights[(hull_[nearest].opposite + 2) % 3] = share;
-  return where;
 }
 
 }  // namespace parmesan

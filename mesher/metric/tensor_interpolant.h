@@ -13,8 +13,7 @@ namespace parmesan {
 /// A mesh that carries a tensor per vertex, interpolated linearly and looked up by walking from the
 /// hint (thesis 5.4).
 ///
-/// Outside of the mesh the nearest triangle found decides, with its barycentric coordinates
-/// clamped; where the mesh is convex, the nearest place of its boundary. Walks pass cracks; on one, any of its sides
+/// Outside of the mesh the nearest place decides. Walks pass cracks; on one, any of its sides
 /// may answer. Brings a mesh whose numbering is not local into the order of memory first, so hints are its own. Cost of
 /// a look-up: O(triangles crossed), O(1) with a good hint, O(log n) expected outside of the mesh.
 class TensorInterpolant final : public TensorField {
@@ -41,27 +40,16 @@ class TensorInterpolant final : public TensorField {
   struct Location {
     int triangle = -1;
     std::array<double, 3> weights{};
-    bool is_beyond = false;  // the walk ended at the boundary
-  };
-  /// A side of the boundary.
-  struct HullSide {
-    int triangle;
-    std::size_t opposite;  // corner
   };
   int near(const Point& p) const;
   Location locate(const Point& p, int start) const;
   Location locate_nearest(const Point& p) const;
-  Location nearest_on_hull(const Point& p) const;
-  void build_hull();
-  std::array<int, 2> ends(const HullSide& side) const;
 
   const Vertex& vertex(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
 
   std::vector<Vertex> vertices_;
   std::vector<Triangle> triangles_;
-  BoxTree boxes_;               // around the triangles
-  std::vector<HullSide> hull_;  // the boundary of a convex mesh, else empty
-  BoxTree hull_boxes_;
+  BoxTree boxes_;  // around the triangles
 };
 
 }  // namespace parmesan

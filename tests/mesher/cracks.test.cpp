@@ -246,6 +246,16 @@ TEST_CASE("a crack of one segment opens where another inner segment ends at it",
   CHECK(has_cracks(mesh));
 }
 
+TEST_CASE("a crack of one segment opens where it ends inside another inner segment", "[mesher][cracks]") {
+  Domain domain = support::unit_square();
+  domain.points.insert(domain.points.end(), {{0.3, 0.5}, {0.6, 0.5}, {0.6, 0.3}, {0.6, 0.8}});
+  domain.segments.push_back({4, 5, above, below});
+  domain.segments.push_back({6, 7, 7});
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(3.0))).mesh;
+  CHECK(oracle::problems_of(mesh) == std::vector<std::string>{});
+  CHECK(has_cracks(mesh));
+}
+
 TEST_CASE("the next mesh of a domain with cracks starts from the one before", "[mesher][cracks]") {
   const Domain domain = slit_square();
   const ConstantField field(Metric::isotropic(0.1));

@@ -231,3 +231,16 @@ TEST_CASE("a mesh with holes, segments and points keeps them when its error is l
   CHECK(oracle::problems_of_cover(mesh, domain).empty());
   CHECK(oracle::area_of(mesh) == Approx(1.0 - 0.065).epsilon(1e-12));
 }
+
+TEST_CASE("channels one or two thirds of an edge wide have no fans of thin triangles", "[mesher][generate]") {
+  const double width = GENERATE(0.003, 0.001, 0.0007, 0.0003);
+  for (const double sizes_per_width : {1.0, 2.0}) {
+    Domain domain;
+    support::add_polygon(domain, {{0.0, 0.0}, {1.0, 0.0}, {1.0, width}, {0.0, width}}, 1);
+    const ConstantField field(Metric::isotropic(sizes_per_width * width));
+    const GenerateResult made = generate(domain, field);
+    CHECK(oracle::problems_of(made.mesh).empty());
+    // Of two sides of 1 and one across of 1/2 the mean ratio is 0.693.
+    CHECK(measure_quality(made.mesh, made.metrics).quality_min > 0.65);
+  }
+}

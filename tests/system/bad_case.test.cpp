@@ -110,8 +110,10 @@ TEST_CASE("check finds what a run would refuse at once, with the same exit code"
       with(R"("source": 1, "diffusion": "x - 0.5", )" + held),
       with(R"x("source": "1/(x - x)", )x" + held),
       with(R"("source": 1, )" + held, R"(, "functionals": {"v": {"value": [3, 3]}})"),
-      with(R"("interpolate": "x^2")", R"(, "metric": {"h_min": 1e-6, "h_max": 1e-5})")};
-  const std::string& text = texts[GENERATE(range(0U, 6U))];
+      with(R"("interpolate": "x^2")", R"(, "metric": {"h_min": 1e-6, "h_max": 1e-5})"),
+      R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}, "problem": {"interpolate": "x^2"},
+        "targets": {"vertices": 100000000}})"};
+  const std::string& text = texts[GENERATE(range(0U, 7U))];
   INFO(text);
   const std::string input = folder.write("case.json", text);
   const ProgramResult checked = run_program({"check", input});

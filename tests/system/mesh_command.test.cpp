@@ -363,3 +363,65 @@ TEST_CASE("mesh --freeze keeps the triangles of a region, and marks them in Medi
   CHECK(unknown.exit_code == 4);
   CHECK_THAT(unknown.err, Catch::Contains("there is no region '3'") && Catch::Contains("'1', '2'"));
 }
+
+TEST_CASE("mesh --freeze keeps all regions of one name, and no points are merged then", "[system][mesh]") {
+  const TemporaryFolder folder;
+  // Two squares of their own, both named "part".
+  folder.write(
+      "in.msh",
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"part\"\n2 2 \"part\"\n$EndPhysicalNames\n"
+      "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
+      "$Elements\n4\n1 2 2 1 1 1 2 5\n2 2 2 1 1 1 5 4\n3 2 2 2 2 2 3 6\n4 2 2 2 2 2 6 5\n$EndElements\n");
+  std::vector<std::string> arguments{"mesh", "in.msh", "--freeze", "part", "--size", "0.5", "-o", "out.mesh"};
+  CHECK(run_program(arguments, folder.path()).exit_code == 0);
+  CHECK_THAT(read_file(folder / "out.mesh"), Catch::Contains("RequiredTriangles\n4\n"));
+  arguments.insert(arguments.end(), {"--merge-tolerance", "0.01"});
+  const ProgramResult merged = run_program(arguments, folder.path());
+  CHECK(merged.exit_code == 4);
+  CHECK_THAT(merged.err, Catch::Contains("required to stay as they are"));
+}
+
+TEST_CASE("mesh of a case file keeps the regions it requires, and repairs what it is told to", "[system][mesh]") {
+  const TemporaryFolder folder;
+  folder.write("in.mesh",
+               "MeshVersionFormatted 2\nDimension 2\nVertices 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n"
+               "Edges 4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\n"
+               "Triangles 4\n1 2 5 1\n2 3 5 1\n3 4 5 2\n4 1 5 1\nEnd\n");
+  folder.write("kept.json", R"({"geometry": {"file": "in.mesh", "required": ["2"]}})");
+  CHECK(run_program({"mesh", "kept.json", "--size", "0.1", "-o", "a.mesh", "-q"}, folder.path()).exit_code == 0);
+  CHECK_THAT(read_file(folder / "a.mesh"), Catch::Contains("RequiredTriangles\n1\n"));
+  folder.write("cross.json", R"({"geometry": {"polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "segments": [
+    {"from": [0.2, 0.2], "to": [0.8, 0.8], "label": "a"}, {"from": [0.2, 0.8], "to": [0.8, 0.2], "label": "b"}]}})");
+  CHECK(run_program({"mesh", "cross.json", "--size", "0.2", "-o", "b.mesh"}, folder.path()).exit_code == 4);
+  const ProgramResult repaired =
+      run_program({"mesh", "cross.json", "--repair", "--size", "0.2", "-o", "b.mesh"}, folder.path());
+  CHECK(repaired.exit_code == 0);
+  CHECK_THAT(repaired.err, Catch::Contains("1 crossing: 4 and 5 at (0.5, 0.5)"));
+}
+
+TEST_CASE("mesh warns of a geometry that reaches beyond its background", "[system][mesh]") {
+  const TemporaryFolder folder;
+  folder.write("bg.mesh", background);
+  folder.write("bg.sol", layer_metric);
+  const auto warnings = [&folder](const std::string& upper) {
+    folder.write("in.json", R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, )" + upper + "]}}}");
+    const ProgramResult result = run_program(
+        {"mesh", "in.json", "--background", "bg.mesh", "--metric", "bg.sol", "-o", "out.mesh"}, folder.path());
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK(warnings("1").empty());
+  CHECK_THAT(warnings("1.5"), Catch::Contains("beyond the background, by about 0.5 at (1, 1.5)"));
+}
+
+TEST_CASE("mesh turns a mesh seen from below, and refuses one that is turned in part", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string points = "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  folder.write("below.mesh", points + "Triangles 2\n1 3 2 0\n1 4 3 0\nEnd\n");
+  folder.write("mixed.mesh", points + "Triangles 2\n1 3 2 0\n1 3 4 0\nEnd\n");
+  CHECK(run_program({"mesh", "below.mesh", "--size", "0.5", "-o", "out.mesh"}, folder.path()).exit_code == 0);
+  CHECK(parmesan::oracle::area_of(parmesan::read_medit(folder / "out.mesh")) == Approx(1.0));
+  const ProgramResult mixed = run_program({"mesh", "mixed.mesh", "--size", "0.5", "-o", "out.mesh"}, folder.path());
+  CHECK(mixed.exit_code == 4);
+  CHECK_THAT(mixed.err, Catch::Contains("triangle 0 is clockwise"));
+}

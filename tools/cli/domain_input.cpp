@@ -25,10 +25,10 @@ void add_repair_options(CLI::App& command, RepairOptions& options) {
 namespace {
 
 /// Also the geometry of a case file.
-GeometryInput read_input(const std::string& path) {
+GeometryInput read_input(const std::string& path, const RepairOptions& options) {
   if (file_suffix(path) == ".json")
-    if (std::optional<Domain> domain = read_case_domain(path)) return {std::move(*domain), std::nullopt};
-  return read_geometry_input(path);
+    if (std::optional<GeometryInput> input = read_case_geometry(path)) return std::move(*input);
+  return read_geometry_input(path, options.split_crossings ? Crossings::Split : Crossings::Refuse);
 }
 
 /// What those who take a mended domain will find and say too.
@@ -51,16 +51,16 @@ Domain repaired(Domain domain, const RepairOptions& options) {
 }
 
 std::vector<int> regions_named(const Mesh& mesh, const std::vector<std::string>& names) {
-  std::map<std::string, int> present;
-  for (const int region : ascending(mesh.regions)) present.emplace(label_name(mesh.region_names, region), region);
+  std::map<std::string, std::vector<int>> present;
+  for (const int region : ascending(mesh.regions)) present[label_name(mesh.region_names, region)].push_back(region);
   std::vector<std::string> known;
   known.reserve(present.size());
-  for (const auto& [name, region] : present) known.push_back(name);
+  for (const auto& [name, of_name] : present) known.push_back(name);
   std::vector<int> regions;
   for (const std::string& name : names) {
     const auto found = present.find(name);
     if (found != present.end()) {
-      regions.push_back(found->second);
+      regions.insert(regions.end(), found->second.begin(), found->second.end());
       continue;
     }
     const std::string hint = suggestion(name, known);
@@ -72,19 +72,27 @@ std::vector<int> regions_named(const Mesh& mesh, const std::vector<std::string>&
 
 }  // namespace
 
+bool keeps_triangles(const GeometryInput& geometry) {
+  return geometry.mesh && !geometry.mesh->required.triangles.empty();
+}
+
 Domain read_domain(const std::string& path, const RepairOptions& options) {
-  return repaired(read_input(path).domain, options);
+  return repaired(read_input(path, options).domain, options);
 }
 
 GeometryInput read_geometry_to_mesh(const std::string& path, const RepairOptions& options,
                                     const std::vector<std::string>& regions) {
-  GeometryInput input = read_input(path);
-  input.domain = repaired(std::move(input.domain), options);
+  GeometryInput input = read_input(path, options);
   if (!regions.empty() && !input.mesh)
     throw GeometryError("--freeze: the geometry is no mesh, so it has no triangles that could stay");
   if (!regions.empty()) {
     const std::vector<int> required = regions_named(*input.mesh, regions);
     input.mesh = with_required_regions(std::move(*input.mesh), required);
+  }
+  if (!keeps_triangles(input)) {
+    input.domain = repaired(std::move(input.domain), options);
+  } else if (options.merge_tolerance > 0.0) {
+    throw GeometryError("--merge-tolerance: the geometry has triangles that are required to stay as they are");
   }
   return input;
 }

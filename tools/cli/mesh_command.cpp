@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -19,6 +21,7 @@
 #include "mesher/io/text.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/boundary_alignment.h"
+#include "mesher/metric/box_tree.h"
 #include "mesher/metric/feature_size.h"
 #include "mesher/metric/metric_samples.h"
 #include "mesher/metric/tensor_interpolant.h"
@@ -108,6 +111,20 @@ void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs&
     inputs.hessian = std::make_unique<TensorInterpolant>(background, read_tensor_file(arguments.hessian, n));
 }
 
+/// Tells of a geometry that reaches beyond the box of its background: one of them may be misplaced.
+void warn_beyond(const Domain& domain, const Mesh& background) {
+  constexpr double much = 1e-3;
+  BoxTree::Box box;
+  for (const Point& p : background.points) box.add(p);
+  const auto distance2 = [&box](const Point& p) { return box.squared_distance(p); };
+  const Point& farthest = *std::ranges::max_element(domain.points, {}, distance2);
+  const double distance = std::sqrt(distance2(farthest));
+  if (!(distance > much * norm(box.high - box.low))) return;
+  print_warning("the geometry reaches beyond the background, by about " + format_number(distance, 2) + " at (" +
+                format_number(farthest.x, 4) + ", " + format_number(farthest.y, 4) +
+                "): there the metric of the nearest place holds");
+}
+
 // Without triangles it is a cloud of samples.
 Mesh read_background(const std::string& path) {
   Mesh mesh = read_mesh_file(path);
@@ -125,8 +142,11 @@ Inputs read_inputs(const MeshArguments& arguments, const Domain& domain) {
     inputs.field = std::make_unique<BackgroundMesh>(feature_size_field(domain));
   } else if (arguments.background == arguments.from) {
     read_fields(*inputs.previous, arguments, inputs);
+    warn_beyond(domain, *inputs.previous);
   } else {
-    read_fields(read_background(arguments.background), arguments, inputs);
+    const Mesh background = read_background(arguments.background);
+    read_fields(background, arguments, inputs);
+    warn_beyond(domain, background);
   }
   if (arguments.align) inputs.aligned = std::make_unique<BoundaryAlignedField>(*inputs.field, domain, *arguments.align);
   return inputs;

@@ -74,11 +74,28 @@ TEST_CASE("Features that share a border are regions with their names", "[adapt][
   CHECK(area(mesh, 3) == Approx(1.0).epsilon(1e-14));
 }
 
-TEST_CASE("Where features overlap the first one counts", "[adapt][io][geojson]") {
+TEST_CASE("Where features overlap the smallest counts", "[adapt][io][geojson]") {
   const std::string inner = feature("inner", polygon("[[1,1],[2,1],[2,2],[1,2],[1,1]]"));
-  const Mesh mesh = delaunay_mesh(parse(collection(inner + "," + feature("outer", polygon(square))))).mesh;
-  CHECK(area(mesh, 1) == Approx(1.0).epsilon(1e-14));
-  CHECK(area(mesh, 2) == Approx(15.0).epsilon(1e-14));
+  const std::string outer = feature("outer", polygon(square));
+  const bool inner_first = GENERATE(true, false);
+  const Mesh mesh = delaunay_mesh(parse(collection(inner_first ? inner + "," + outer : outer + "," + inner))).mesh;
+  CHECK(area(mesh, inner_first ? 1 : 2) == Approx(1.0).epsilon(1e-14));
+  CHECK(area(mesh, inner_first ? 2 : 1) == Approx(15.0).epsilon(1e-14));
+}
+
+TEST_CASE("Features whose rings cross are refused, or split there", "[adapt][io][geojson]") {
+  const std::string shifted = feature("shifted", polygon("[[3,3],[6,3],[6,6],[3,6],[3,3]]"));
+  const std::string text = collection(feature("first", polygon(square)) + "," + shifted);
+  CHECK_THROWS_AS(parse(text), parmesan::GeometryError);
+  const Mesh mesh = delaunay_mesh(parse_geojson(text, "t.geojson", parmesan::Crossings::Split)).mesh;
+  CHECK(area(mesh, 1) == Approx(15.0).epsilon(1e-14));
+  CHECK(area(mesh, 2) == Approx(9.0).epsilon(1e-14));
+}
+
+TEST_CASE("The only feature gives the region its name, and sides theirs", "[adapt][io][geojson]") {
+  const Domain domain = parse(collection(feature("lake", polygon(square))));
+  CHECK(domain.region_names == parmesan::LabelNames{{0, "lake"}});
+  CHECK(domain.label_names == parmesan::LabelNames{{1, "boundary"}});
 }
 
 TEST_CASE("Faults of a GeoJSON text are refused with line and pointer", "[adapt][io][geojson][errors]") {

@@ -99,6 +99,23 @@ TEST_CASE("Kinks are found where the direction jumps", "[mesher][geometry]") {
   CHECK(bent.kinks()[0] == Approx(0.3).margin(1e-12));
 }
 
+TEST_CASE("Parts of a curve that was split at a kink have none", "[mesher][geometry]") {
+  for (const double kink : {0.3, 0.9, 1.0 / 3.0, 0.7071}) {
+    const Curve bent(
+        [kink](double s) {
+          return Point{s, std::abs(s - kink)};
+        },
+        [kink](double s) {
+          return Vector{1.0, s < kink ? -1.0 : 1.0};
+        },
+        0.0, 1.0);
+    REQUIRE(bent.kinks().size() == 1);
+    CHECK(bent.part(0.0, bent.kinks()[0]).kinks().empty());
+    CHECK(bent.part(bent.kinks()[0], 1.0).kinks().empty());
+    CHECK(bent.part(0.1, 0.95).part(0.0, (bent.kinks()[0] - 0.1) / 0.85).kinks().empty());
+  }
+}
+
 TEST_CASE("Curves that cannot be followed are refused", "[mesher][geometry][errors]") {
   const auto make = [](const Curve::Map& point, double last) {
     return Curve(

@@ -6,6 +6,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/metric/complexity.h"
+#include "tests/support/meshes.h"
 
 using namespace parmesan;
 
@@ -97,6 +98,20 @@ TEST_CASE("outside of a convex mesh the nearest place of the boundary decides", 
     const Point p{around(engine), around(engine)};
     const Point q{std::clamp(p.x, 0.0, 1.0), std::clamp(p.y, 0.0, 1.0)};
     if (p == q) continue;
+    CHECK(field.at(p, hint).length({1.0, 0.0}) == Approx(std::exp(2.0 * q.y - q.x)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("outside of a mesh that is not convex the nearest place decides, too", "[mesher][metric]") {
+  const Mesh mesh = support::l_shape_mesh(6);
+  const BackgroundMesh field(mesh,
+                             sample(mesh, [](const Point& p) { return Metric::isotropic(std::exp(p.x - 2.0 * p.y)); }));
+  std::mt19937_64 engine(12);
+  std::uniform_real_distribution<double> within(0.0, 1.0);
+  MetricHint hint = -1;
+  for (int i = 0; i < 500; ++i) {
+    const Point p{within(engine), -within(engine)};  // in the quarter that the mesh lacks
+    const Point q = p.x < -p.y ? Point{0.0, p.y} : Point{p.x, 0.0};
     CHECK(field.at(p, hint).length({1.0, 0.0}) == Approx(std::exp(2.0 * q.y - q.x)).epsilon(1e-9));
   }
 }

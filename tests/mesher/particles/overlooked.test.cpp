@@ -10,6 +10,7 @@
 #include "mesher/quality.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/domains.h"
+#include "tests/support/meshes.h"
 
 using namespace parmesan;
 
@@ -75,6 +76,21 @@ TEST_CASE("a layer between the vertices of a coarse mesh is found, on the bounda
   const MeshQuality quality = measure_quality(made.mesh, made.metrics);
   CHECK(quality.unit_edges > 0.97);
   CHECK(quality.length_max < 4.0);
+}
+
+TEST_CASE("one fine triangle of a coarse background is found", "[mesher][overlooked]") {
+  const Mesh grid = support::random_square(10, 0.2, 4);
+  for (const double outside : {0.3, 0.5, 0.9}) {
+    std::vector<Metric> metrics(grid.points.size(), Metric::isotropic(outside));
+    for (const int v : grid.triangles[67]) metrics[static_cast<std::size_t>(v)] = Metric::isotropic(0.00625);
+    const BackgroundMesh field(grid, metrics);
+    const GenerateResult made = generate(support::unit_square(), field);
+    const double expected = expected_vertices(integrate_complexity(support::random_square(300, 0.0, 1), field));
+    CHECK(made.mesh.num_vertices() == Approx(expected).epsilon(0.15));
+    double held = 0.0;
+    for (const FieldSample& sample : field.samples()) held += sample.complexity;
+    CHECK(expected_vertices(held) == Approx(expected).epsilon(0.01));
+  }
 }
 
 TEST_CASE("a mesh that sees all of a field gets no sites", "[mesher][overlooked]") {
