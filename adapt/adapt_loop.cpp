@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adapt/continuation.h"
+#include "adapt/diffusion_jumps.h"
 #include "adapt/influence.h"
 #include "adapt/loop_warnings.h"
 #include "adapt/second_derivatives.h"
@@ -72,6 +73,10 @@ class Loop {
     for (std::string& warning :
          warnings_of_last(summary.iterations.back(), aimed, state_.limits_bind, summary.stop_reason))
       summary.warnings.push_back(std::move(warning));
+    if (!case_.interpolation) {
+      if (std::optional<std::string> jumps = warn_of_jumps(case_.problem, state_.last.mesh))
+        summary.warnings.push_back(std::move(*jumps));
+    }
     summary.targets_met = goal_.error_targets ? state_.history.back().error <= 1.0
                                               : summary.stop_reason != StopReason::Interrupted && has_size_aimed_at();
     return {std::move(summary), std::move(state_.last), state_.limit};
