@@ -154,7 +154,9 @@ void DomainBuilder::add_region(const std::string& name, const Point& seed) {
 
 std::vector<int> DomainBuilder::labels_in_use() const {
   std::set<int> labels;
-  for (const Segment& segment : domain_.segments) labels.insert(segment.label);
+  const auto point = [this](int i) { return domain_.points[static_cast<std::size_t>(i)]; };
+  for (const Segment& segment : domain_.segments)
+    if (!segment.is_straight() || point(segment.a) != point(segment.b)) labels.insert(segment.label);
   for (const int label : crack_labels()) labels.insert(label);
   return {labels.begin(), labels.end()};
 }

@@ -59,7 +59,7 @@ class DomainBuilder {
   /// Gives a label another name; several labels may come to have the same.
   void rename(int label, const std::string& name) { domain_.label_names[label] = name; }
 
-  /// The labels that segments have, ascending.
+  /// The labels that segments have, but those of no length, ascending.
   std::vector<int> labels_in_use() const;
 
   /// Those of the sides of cracks, ascending.

@@ -13,6 +13,7 @@
 #include "mesher/geometry/chord_limits.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/metric/complexity.h"
+#include "mesher/outside_parts.h"
 #include "mesher/particles/boundary.h"
 #include "mesher/particles/error_descent.h"
 #include "mesher/particles/fast_schedule.h"
@@ -99,12 +100,14 @@ struct ScratchStart {
   Mesh mesh;
   OverlookedParts overlooked;
   double expected_vertices;
+  std::optional<std::string> outside;  // what of the domain is not in the mesh
 };
 
 ScratchStart scratch_start(const Domain& domain, const Outline& outline, const MetricField& field,
                            std::int64_t max_vertices) {
   constexpr double much_more = 1.1;
   Mesh mesh = to_mesh(triangulate(outline.domain), outline.segments).mesh;
+  std::optional<std::string> outside = outside_parts(mesh, domain);
   mesh.required = required_parts(mesh, domain);
   OverlookedParts overlooked(field, domain);
   const double seen = integrate_complexity(mesh, field), held = overlooked.complexity_within(mesh);
@@ -112,7 +115,7 @@ ScratchStart scratch_start(const Domain& domain, const Outline& outline, const M
   check_size(expected, max_vertices);
   const int levels = coarser_levels(expected);
   if (levels < first_with_sites_later || held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(levels));
-  return {std::move(mesh), overlooked, expected};
+  return {std::move(mesh), overlooked, expected, std::move(outside)};
 }
 
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
@@ -227,6 +230,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   Relaxed relaxed;
   if (choice.start == Start::Scratch) {
     const ScratchStart start = scratch_start(domain, outline, field, options.max_vertices);
+    if (start.outside) result.report.warnings.push_back(*start.outside);
     relaxed = by_thesis ? mesh_by_thesis(domain, field, start.mesh, options, result.report)
                         : mesh_in_levels(domain, field, start, effort, options);
   } else {

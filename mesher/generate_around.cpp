@@ -209,6 +209,8 @@ GenerateResult generate_around(const Mesh& mesh, const MetricField& field, const
   validate(mesh);
   const Halves halves = cut_in_two(close_cracks(mesh));
   GenerateResult result;
+  result.report.start = Start::PreviousMesh;
+  result.report.start_reason = "all triangles are required to stay";
   if (!halves.rest.mesh.triangles.empty()) {
     Mesh start = open_cracks(halves.rest.mesh, halves.rest.right_labels).mesh;
     const Domain domain = domain_of(start);

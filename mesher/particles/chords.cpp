@@ -8,7 +8,7 @@
 namespace parmesan {
 namespace {
 
-constexpr double longest = 1.414;  // sqrt2, but for rounding
+constexpr double longest_unit = 1.414;  // sqrt2, but for rounding
 
 double length(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
@@ -19,7 +19,7 @@ double length(const ParticleSystem& particles, EdgeId e) {
 bool is_long_chord(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e) || particles.is_free(mesh.org(e)) || particles.is_free(mesh.dest(e))) return false;
-  return length(particles, e) > longest;
+  return length(particles, e) > longest_unit;
 }
 
 VertexId left_apex(const Triangulation& mesh, EdgeId e) { return mesh.dest(mesh.onext(e)); }
@@ -34,7 +34,7 @@ bool settles(ParticleSystem& particles, VertexId v) {
   bool is_unit = true;
   for_each_spoke(particles.mesh(), v, [&](EdgeId e) {
     const double l = length(particles, e);
-    is_unit = is_unit && l <= longest && l * longest >= 1.0;
+    is_unit = is_unit && l <= longest_unit && l * longest_unit >= 1.0;
   });
   return is_unit && star.min_quality(particles.mesh().point(v), particles.metric(v)) >= good;
 }

@@ -1,8 +1,10 @@
 #include "mesher/delaunay_mesh.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "mesher/errors.h"
+#include "mesher/generate.h"
 
 using parmesan::delaunay_mesh;
 using parmesan::DelaunayMesh;
@@ -46,4 +48,18 @@ TEST_CASE("delaunay_mesh refuses crossing segments", "[mesher][errors]") {
   domain.points.push_back({2, 4});
   domain.segments.push_back({0, 9, 3});  // through the left side of the hole
   CHECK_THROWS_AS(delaunay_mesh(domain), GeometryError);
+}
+
+TEST_CASE("delaunay_mesh and generate tell what lies outside of the domain", "[mesher]") {
+  Domain domain = square_with_hole();
+  domain.points.pop_back();
+  domain.points.insert(domain.points.end(), {{2, 2}, {1.5, 1.5}, {2.5, 2}, {0.5, 0.5}, {3.5, 3.5}, {3.5, 2.5}});
+  domain.segments.push_back({9, 10, 3});   // in the hole
+  domain.segments.push_back({12, 13, 4});  // in the domain
+  const std::string expected =
+      "left out what lies outside of the domain: the segment from (1.5, 1.5) to (2.5, 2), the point (2, 2)";
+  CHECK(delaunay_mesh(domain).repairs.back() == expected);
+  const parmesan::ConstantField field(parmesan::Metric::isotropic(0.5));
+  const std::vector<std::string> warnings = generate(domain, field).report.warnings;
+  CHECK(std::ranges::find(warnings, expected) != warnings.end());
 }

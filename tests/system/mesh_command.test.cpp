@@ -425,3 +425,21 @@ TEST_CASE("mesh turns a mesh seen from below, and refuses one that is turned in 
   CHECK(mixed.exit_code == 4);
   CHECK_THAT(mixed.err, Catch::Contains("triangle 0 is clockwise"));
 }
+
+TEST_CASE("sizes that no metric can have are refused with the range", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("square.poly", square_poly);
+  for (const char* size : {"1e-300", "1e300", "-1", "0", "inf", "nan"}) {
+    const ProgramResult result = run_program({"mesh", input, "--size", size, "-o", folder / "out.mesh"});
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Catch::Contains("from 1e-150 to 1e150, not " + std::string(size)));
+  }
+}
+
+TEST_CASE("a side of no length leaves no label behind", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("case.json", R"({"geometry": {"polygon": [[0, 0], [1, 0], [0, 1], [0, 0]],
+    "labels": ["a", "b", "c", "d"]}, "problem": {"exact": "x^2", "boundary": {"*": {"dirichlet": "exact"}}},
+    "targets": {"vertices": 100}})");
+  CHECK(run_program({"check", input}).exit_code == 0);
+}

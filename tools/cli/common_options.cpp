@@ -75,6 +75,17 @@ void limit_time(std::int64_t seconds) {
 
 }  // namespace
 
+CLI::Validator positive_number() {
+  return {[](const std::string& text) {
+            constexpr double least = 1e-150, most = 1e150;
+            double value = 0.0;
+            const bool is_number = CLI::detail::lexical_cast(text, value);
+            return is_number && value >= least && value <= most ? std::string()
+                                                                : "must be a number from 1e-150 to 1e150, not " + text;
+          },
+          "POSITIVE"};
+}
+
 NameValue split_name_value(const std::string& text, const std::string& option) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) throw CLI::ValidationError(option, "'" + text + "' is not of the form name=value");

@@ -34,6 +34,9 @@ void add_seed_option(CLI::App& command, CommonOptions& options);
 /// Past the time limit the process ends with ExitCode::LimitHit.
 void apply(const CommonOptions& options);
 
+/// Checks for a number above 0 whose square is no less and no more than a double can be.
+CLI::Validator positive_number();
+
 /// A "name=value" pair of an option such as --limit. Errors: CLI::ValidationError without "=".
 struct NameValue {
   std::string name;

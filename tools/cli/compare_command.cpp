@@ -5,6 +5,7 @@
 #include "adapt/compare.h"
 #include "tools/cli/case_options.h"
 #include "tools/cli/commands.h"
+#include "tools/cli/common_options.h"
 #include "tools/cli/escape.h"
 #include "tools/cli/interrupt.h"
 
@@ -49,7 +50,7 @@ Command add_compare_command(CLI::App& program) {
   add_case_options(*app, arguments->input);
   app->add_option("--sizes", arguments->sizes, "Numbers of vertices, ascending [1000,4000,16000,64000]")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("N,...");
   add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);

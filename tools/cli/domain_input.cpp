@@ -10,6 +10,7 @@
 #include "mesher/errors.h"
 #include "mesher/generate_around.h"
 #include "mesher/io/text.h"
+#include "tools/cli/common_options.h"
 #include "tools/cli/exit_code.h"
 
 namespace parmesan {
@@ -18,7 +19,7 @@ void add_repair_options(CLI::App& command, RepairOptions& options) {
   command.add_flag("--repair", options.split_crossings,
                    "Split segments where they cross instead of refusing the geometry");
   command.add_option("--merge-tolerance", options.merge_tolerance, "Merge points of the geometry nearer than this")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("D");
 }
 

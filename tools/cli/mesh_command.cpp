@@ -233,7 +233,7 @@ ExitCode mesh(const MeshArguments& arguments) {
 void add_metric_options(CLI::App& app, MeshArguments& arguments) {
   CLI::Option* size = app.add_option("--size", arguments.size,
                                      "Uniform size of the triangles, in the geometry's unit [sizes from the geometry]")
-                          ->check(CLI::PositiveNumber)
+                          ->check(positive_number())
                           ->option_text("H");
   CLI::Option* background =
       app.add_option("--background", arguments.background,
@@ -268,7 +268,7 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
       ->needs(background)
       ->option_text("SOL");
   app.add_option("--align-boundary", arguments.align, "Turn the metric along segments nearer than so many unit edges")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->option_text("REACH");
   app.add_option("--from", arguments.from, "Start from the particles of this mesh")->option_text("MESH");
   app.add_option("--freeze", arguments.frozen,
