@@ -37,10 +37,6 @@ int coarser_levels(double expected) {
   return std::max(0, static_cast<int>(std::lround(std::log(expected / coarsest_vertices) / std::log(4.0))));
 }
 
-// With fewer levels all sites that show what would be overlooked are there from the start, else some are added on the
-// last but one.
-constexpr int first_with_sites_later = 2;
-
 double scale_of(int level) { return std::pow(0.25, level); }
 
 // While a mesh is made, its edges are labelled with the segment they are a part of.
@@ -99,6 +95,7 @@ Mesh refined(const Mesh& mesh, const Domain& domain) { return refine_red(mesh, m
 struct ScratchStart {
   Mesh mesh;
   OverlookedParts overlooked;
+  double held;  // complexity of the field's samples
   double expected_vertices;
   std::optional<std::string> outside;  // what of the domain is not in the mesh
 };
@@ -113,9 +110,8 @@ ScratchStart scratch_start(const Domain& domain, const Outline& outline, const M
   const double seen = integrate_complexity(mesh, field), held = overlooked.complexity_within(mesh);
   const double expected = expected_vertices(std::max(seen, held));
   check_size(expected, max_vertices);
-  const int levels = coarser_levels(expected);
-  if (levels < first_with_sites_later || held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(levels));
-  return {std::move(mesh), overlooked, expected, std::move(outside)};
+  if (held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(coarser_levels(expected)));
+  return {std::move(mesh), overlooked, held, expected, std::move(outside)};
 }
 
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
@@ -142,7 +138,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Scr
   Relaxed relaxed{.mesh = start.mesh, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
     const double scale = scale_of(level);
-    if (level == 1 && levels >= first_with_sites_later) relaxed.mesh = start.overlooked.with_sites(relaxed.mesh, scale);
+    if (level == 1 && level < levels) relaxed.mesh = start.overlooked.with_sites(relaxed.mesh, scale);
     ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field);
     relaxed = {};  // for its memory
     if (level == levels) {
@@ -158,6 +154,17 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Scr
     relaxed.mesh = in_local_order(refined(relaxed.mesh, domain));
   }
   return relaxed;
+}
+
+// A spot that no particle came to see is not in the mesh: once more, with sites.
+Relaxed mesh_from_scratch(const Domain& domain, const MetricField& field, ScratchStart start,
+                          const FastScheduleOptions& effort, const GenerateOptions& options) {
+  constexpr double most = 0.7;
+  Relaxed relaxed = mesh_in_levels(domain, field, start, effort, options);
+  if (integrate_complexity(relaxed.mesh, relaxed.metrics) >= most * start.held) return relaxed;
+  const std::size_t num_sites = start.mesh.points.size();
+  start.mesh = start.overlooked.with_sites(start.mesh, scale_of(coarser_levels(start.expected_vertices)));
+  return start.mesh.points.size() == num_sites ? relaxed : mesh_in_levels(domain, field, start, effort, options);
 }
 
 Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh mesh, const FastScheduleOptions& effort,
@@ -229,10 +236,10 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   }
   Relaxed relaxed;
   if (choice.start == Start::Scratch) {
-    const ScratchStart start = scratch_start(domain, outline, field, options.max_vertices);
+    ScratchStart start = scratch_start(domain, outline, field, options.max_vertices);
     if (start.outside) result.report.warnings.push_back(*start.outside);
     relaxed = by_thesis ? mesh_by_thesis(domain, field, start.mesh, options, result.report)
-                        : mesh_in_levels(domain, field, start, effort, options);
+                        : mesh_from_scratch(domain, field, std::move(start), effort, options);
   } else {
     check_size(choice.expected_vertices, options.max_vertices);
     Mesh start = refined_start(std::move(*fit), domain, choice.refinements);

@@ -201,15 +201,13 @@ Boundary::Boundary(const ParticleSystem& particles) : measures_(particles.domain
 }
 
 void Boundary::match_counts(ParticleSystem& particles) const {
+  constexpr long flips_per_change = 300;  // a fan of n that came to a side takes n^2 / 7
   const std::vector<ChainEdge> all = chains(particles);
   Triangulation& mesh = particles.mesh();
   std::vector<EdgeId> superfluous;
   std::vector<EdgeId> stack;
-  // At once: a fan of many that came to a side is legal only after as many flips squared.
-  const auto legalize_around = [&](VertexId v) {
-    constexpr long most_flips = 10000;
+  const auto legalize_later = [&](VertexId v) {
     for_each_spoke(mesh, v, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
-    legalize(particles, stack, most_flips);
   };
   for_each_chain(all, [&](std::size_t first, std::size_t last) {
     const Segment& segment = particles.domain().segments[at(all[first].segment)];
@@ -222,7 +220,7 @@ void Boundary::match_counts(ParticleSystem& particles) const {
       for (int mark = to - 1; mark > from; --mark) {
         const Point p = point_on(particles.domain(), segment, mark_parameter(measure, n, mark));
         const VertexId v = split_at(particles, all[i].edge, p, stack);
-        if (v != no_vertex) legalize_around(v);
+        if (v != no_vertex) legalize_later(v);
       }
     }
   });
@@ -230,8 +228,9 @@ void Boundary::match_counts(ParticleSystem& particles) const {
     if (!mesh.is_alive(undirected(e))) continue;
     const VertexId a = mesh.org(e);
     const VertexId b = mesh.dest(e);
-    if (collapse_if_valid(particles, e)) legalize_around(mesh.has_vertex(a) ? a : b);
+    if (collapse_if_valid(particles, e)) legalize_later(mesh.has_vertex(a) ? a : b);
   }
+  legalize(particles, stack, flips_per_change * static_cast<long>(stack.size()));
 }
 
 std::vector<double> Boundary::targets(const ParticleSystem& particles) const {
