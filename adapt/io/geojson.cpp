@@ -74,6 +74,7 @@ double doubled_area(const GeoFeature& feature) {
 /// The regions 1, 2, ... of the features, the smallest first.
 std::vector<int> by_area(const std::vector<GeoFeature>& features) {
   std::vector<double> areas;
+  areas.reserve(features.size());
   for (const GeoFeature& feature : features) areas.push_back(doubled_area(feature));
   std::vector<int> regions(features.size());
   std::iota(regions.begin(), regions.end(), 1);
