@@ -1,12 +1,12 @@
 # The target `headers` compiles every header alone: each must include what it uses. Those of the mesher, which has no
-# precompiled header, are compiled so with their own sources where these include them first.
+# precompiled header, are compiled so with their own sources where these include them first, if sources are compiled alone.
 parmesan_sources(headers mesher/*.h fem/*.h adapt/*.h tools/*.h tests/*.h)
 set(header_sources)
 foreach(header IN LISTS headers)
   file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${header})
   string(REGEX REPLACE "\\.h$" ".cpp" own_source ${header})
   set(first_include)
-  if(name MATCHES "^mesher/" AND EXISTS ${own_source})
+  if(NOT CMAKE_UNITY_BUILD AND name MATCHES "^mesher/" AND EXISTS ${own_source})
     file(STRINGS ${own_source} first_include REGEX "^#include" LIMIT_COUNT 1)
   endif()
   if(NOT first_include STREQUAL "#include \"${name}\"")
@@ -15,6 +15,7 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 add_library(headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
+set_target_properties(headers PROPERTIES UNITY_BUILD OFF)
 target_link_libraries(headers PRIVATE parmesan_adapt CLI11::CLI11 Catch2::Catch2)
 target_compile_definitions(headers PRIVATE PARMESAN_SOURCE_DIR="" PARMESAN_PROGRAM="")
 parmesan_compile_options(headers)
