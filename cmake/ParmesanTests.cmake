@@ -53,7 +53,7 @@ endif()
 
 # The experiments of the thesis, small, with their laws.
 find_package(Python3 COMPONENTS Interpreter)
-if(Python3_FOUND)
+if(Python3_FOUND AND NOT PARMESAN_TEST_FILTER MATCHES "slow")
   add_test(NAME thesis/reproduce
            COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/thesis/reproduce --quick
                    --program $<TARGET_FILE:thesis_experiments> --out ${PROJECT_BINARY_DIR}/thesis.out)
