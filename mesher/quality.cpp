@@ -9,6 +9,7 @@
 #include "mesher/errors.h"
 #include "mesher/half_edges.h"
 #include "mesher/index.h"
+#include "mesher/metric/logarithms.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/parallel.h"
 
@@ -74,15 +75,6 @@ std::vector<bool> sharp_corners(const Mesh& mesh, std::span<const Metric> metric
     sharp[v] = a != b && metric_angle(a, b, metrics[v]) < std::numbers::pi / 6.0;
   }
   return sharp;
-}
-
-std::vector<SymmetricTensor> logarithms(std::span<const Metric> metrics) {
-  std::vector<SymmetricTensor> logs(metrics.size());
-  const Ranges ranges(metrics.size());
-  parallel_for(ranges.count(), [&](int range) {
-    for (std::size_t v = ranges.first(range); v < ranges.last(range); ++v) logs[v] = metrics[v].log();
-  });
-  return logs;
 }
 
 /// Of some triangles.

@@ -5,19 +5,16 @@
 
 #include "mesher/cracks.h"
 #include "mesher/metric/exponential_mean.h"
-#include "mesher/parallel.h"
+#include "mesher/metric/logarithms.h"
 
 namespace parmesan {
 namespace {
 
 std::vector<SymmetricTensor> tensors_of(std::span<const Metric> metrics, MetricInterpolation interpolation) {
-  const bool logarithms = interpolation == MetricInterpolation::LogEuclidean;
-  std::vector<SymmetricTensor> tensors(metrics.size());
-  const Ranges ranges(metrics.size());
-  parallel_for(ranges.count(), [&](int range) {
-    for (std::size_t i = ranges.first(range); i < ranges.last(range); ++i)
-      tensors[i] = logarithms ? metrics[i].log() : metrics[i].tensor();
-  });
+  if (interpolation == MetricInterpolation::LogEuclidean) return logarithms(metrics);
+  std::vector<SymmetricTensor> tensors;
+  tensors.reserve(metrics.size());
+  for (const Metric& m : metrics) tensors.push_back(m.tensor());
   return tensors;
 }
 

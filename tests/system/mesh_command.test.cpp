@@ -411,6 +411,10 @@ TEST_CASE("mesh warns of a geometry that reaches beyond its background", "[syste
     return result.err;
   };
   CHECK(warnings("1").empty());
+  folder.write("empty.mesh", "MeshVersionFormatted 2\nDimension 2\nVertices 0\nEnd\n");
+  CHECK(run_program({"mesh", "empty.mesh", "--background", "bg.mesh", "--metric", "bg.sol", "-o", "out.mesh"},
+                    folder.path())
+            .exit_code == 4);
   CHECK_THAT(warnings("1.5"), Catch::Contains("beyond the background, by about 0.5 at (1, 1.5)"));
 }
 

@@ -114,6 +114,7 @@ void read_fields(const Mesh& background, const MeshArguments& arguments, Inputs&
 /// Tells of a geometry that reaches beyond the box of its background: one of them may be misplaced.
 void warn_beyond(const Domain& domain, const Mesh& background) {
   constexpr double much = 1e-3;
+  if (domain.points.empty()) return;  // refused later
   BoxTree::Box box;
   for (const Point& p : background.points) box.add(p);
   const auto distance2 = [&box](const Point& p) { return box.squared_distance(p); };
