@@ -258,8 +258,10 @@ class Loop {
     compute_values(case_, next, &state_.last);
     if (interrupted()) return false;
     state_.unchanged = same_mesh(next.mesh, state_.last.mesh);
-    state_.limits_bind = state_.asked == asked && metric.complexity < 0.8 * request.complexity;
-    state_.asked = asked;
+    const bool is_coarser = metric.complexity < 0.8 * request.complexity;  // so far off only for size limits
+    const bool is_finer = metric.complexity > 1.25 * request.complexity;
+    state_.limits_bind = state_.asked == asked && (is_coarser || (is_finer && goal_.vertices));
+    state_.asked = is_finer && !goal_.vertices ? static_cast<double>(next.mesh.num_vertices()) : asked;
     state_.last = std::move(next);
     return true;
   }
@@ -288,8 +290,9 @@ class Loop {
     constexpr std::int64_t enough_vertices = 2000;
     constexpr double left_by_correction = 1.0 / 9.0;
     if (!influence_) {
-      const auto vertices = static_cast<double>(std::min(enough_vertices, options_.max_vertices / 2));
-      const Mesh coarse = uniform_iterate(case_, vertices).mesh;
+      Case unlimited = case_;  // the same mesh whatever the safety limit is
+      unlimited.mesher.max_vertices = std::max(case_.mesher.max_vertices, 2 * enough_vertices);
+      const Mesh coarse = uniform_iterate(unlimited, static_cast<double>(enough_vertices)).mesh;
       influence_.emplace(coarse, influence(coarse, case_.problem));
     }
     const double left = case_.problem.correct_defect ? left_by_correction : 1.0;

@@ -1,5 +1,6 @@
 #include "adapt/case.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -68,22 +69,28 @@ void read_parameters(CaseReading& reading) {
   }
 }
 
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
 bool is_folder_name(const std::string& name) {
   if (name.empty() || name.size() > kLongestName || name.front() == '.' || name.front() == '-') return false;
-  for (const char c : name) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
-    if (!plain) return false;
-  }
-  return true;
+  return std::ranges::all_of(name, is_plain);
+}
+
+/// The name of a file, with '_' in place of what a folder's may not have.
+std::string folder_name_of(std::string name) {
+  if (name.empty()) return "case";
+  if (name.size() > kLongestName) name.resize(kLongestName);
+  if (name.front() == '.' || name.front() == '-') name.front() = '_';
+  for (char& c : name)
+    if (!is_plain(c)) c = '_';
+  return name;
 }
 
 void read_name(CaseReading& reading, Case& result) {
   Json& root = reading.document.root;
-  if (!root.contains("name")) {
-    const std::string stem = fs::path(reading.document.file).stem().string();
-    root["name"] = is_folder_name(stem) ? stem : "case";
-  }
+  if (!root.contains("name")) root["name"] = folder_name_of(fs::path(reading.document.file).stem().string());
   if (!reading.issues.clean("/name")) return;
   result.name = root["name"].get<std::string>();
   if (!is_folder_name(result.name)) {

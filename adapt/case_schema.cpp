@@ -14,7 +14,7 @@ constexpr const char* kSchema = R"schema({
   "additionalProperties": false,
   "properties": {
     "$schema": { "type": "string", "description": "for editors; not read" },
-    "name": { "type": "string", "description": "names the output folder; default: the file's name" },
+    "name": { "type": "string", "description": "names the output folder; default: the file's name, with _ for what is no letter or digit" },
     "title": { "type": "string", "default": "", "description": "shown in reports" },
     "parameters": {
       "type": "object", "default": {}, "additionalProperties": { "$ref": "#/$defs/parameter" },

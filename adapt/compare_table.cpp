@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "adapt/compare.h"
+#include "adapt/json_number.h"
 #include "adapt/math_library.h"
 #include "adapt/number_text.h"
 
@@ -13,8 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::size_t, 8> widths{11, 10, 12, 12, 12, 12, 12, 10};
-
-Json number(const std::optional<double>& x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }
 
 std::string cell(const std::optional<double>& x, int digits = 4) { return x ? short_number(*x, digits) : "-"; }
 
@@ -95,10 +94,10 @@ Json equivalent_json(const UniformEquivalent& e) {
   const bool reached = e.uniform.found == EqualError::Found::Interpolated;
   return Json{{"family", to_string(e.family)},
               {"vertices", e.vertices},
-              {"cpu_seconds", number(e.cpu_seconds)},
-              {"l2", number(e.l2)},
+              {"cpu_seconds", json_number(e.cpu_seconds)},
+              {"l2", json_number(e.l2)},
               {"uniform_vertices", reached ? Json(e.uniform.size) : Json(nullptr)},
-              {"uniform_cpu_seconds", reached ? number(e.uniform_cpu_seconds.size) : Json(nullptr)},
+              {"uniform_cpu_seconds", reached ? json_number(e.uniform_cpu_seconds.size) : Json(nullptr)},
               {"ratio", reached ? Json(e.uniform.size / static_cast<double>(e.vertices)) : Json(nullptr)},
               {"reached", e.uniform.found != EqualError::Found::NotReached}};
 }
@@ -108,22 +107,24 @@ Json row_json(const CompareRow& row) {
   j["family"] = to_string(row.family);
   j["vertices"] = row.vertices;
   j["triangles"] = row.triangles;
-  j["solution_error"] = {{"l2", number(row.solution_l2)}, {"h1", number(row.solution_h1)}};
-  j["interpolation_error"] = {{"l2", number(row.interpolation_l2)}, {"h1", number(row.interpolation_h1)}};
-  j["estimated_error"] = {{"l2", number(row.estimated_l2)}, {"h1", number(row.estimated_h1)}};
+  j["solution_error"] = {{"l2", json_number(row.solution_l2)}, {"h1", json_number(row.solution_h1)}};
+  j["interpolation_error"] = {{"l2", json_number(row.interpolation_l2)}, {"h1", json_number(row.interpolation_h1)}};
+  j["estimated_error"] = {{"l2", json_number(row.estimated_l2)}, {"h1", json_number(row.estimated_h1)}};
   if (row.goal_value) {
-    j["goal"] = {
-        {"value", number(row.goal_value)}, {"estimate", number(row.goal_estimate)}, {"error", number(row.goal_error)}};
+    j["goal"] = {{"value", json_number(row.goal_value)},
+                 {"estimate", json_number(row.goal_estimate)},
+                 {"error", json_number(row.goal_error)}};
   }
-  j["efficiency"] = number(row.efficiency);
+  j["efficiency"] = json_number(row.efficiency);
   j["at_round_off"] = row.at_round_off;
-  j["cpu_seconds"] = number(row.cpu_seconds);
+  j["cpu_seconds"] = json_number(row.cpu_seconds);
   return j;
 }
 
 Json order_json(const OrderFit& fit) {
   if (fit.num_points < 2) return nullptr;
-  return Json{{"order", number(fit.order)}, {"uncertainty", number(fit.uncertainty)}, {"points", fit.num_points}};
+  return Json{
+      {"order", json_number(fit.order)}, {"uncertainty", json_number(fit.uncertainty)}, {"points", fit.num_points}};
 }
 
 }  // namespace
@@ -163,7 +164,7 @@ std::string compare_csv(const CompareResult& result) {
                                            row.estimated_l2, row.estimated_h1, row.goal_value, row.goal_estimate,
                                            row.goal_error, row.efficiency, std::optional<double>(row.cpu_seconds)}) {
       text += ",";
-      if (x && std::isfinite(*x)) text += number(x).dump();
+      if (x && std::isfinite(*x)) text += Json(*x).dump();
     }
     text += "\n";
   }

@@ -11,6 +11,7 @@
 #include "adapt/functional_value.h"
 #include "adapt/goal_error.h"
 #include "adapt/nodal_values.h"
+#include "adapt/number_text.h"
 #include "adapt/stopwatch.h"
 #include "adapt/transfer.h"
 #include "fem/dual.h"
@@ -70,10 +71,21 @@ void require_finite(const Case& input, const Iterate& iterate) {
   }
 }
 
+/// Squares of values beyond, and of their derivatives, over- or underflow.
+void require_range(const std::vector<double>& values) {
+  constexpr double least = 1e-100, most = 1e100;
+  double largest = 0.0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  if (largest == 0.0 || (largest >= least && largest <= most)) return;
+  throw ProblemError("/problem: the solution reaches " + short_number(largest, 3) +
+                     " in size; what is computed must lie between 1e-100 and 1e100: choose other units");
+}
+
 void interpolate_on(const Case& input, Iterate& iterate) {
   const Stopwatch watch;
   iterate.values = nodal_values(iterate.mesh, known_function(input).value().value);
   if (input.exact) require_finite(input, iterate);
+  require_range(iterate.values);
   iterate.seconds.solve = watch.seconds();
   iterate.seconds.cpu += watch.cpu_seconds();
 }
@@ -100,6 +112,7 @@ void solve_on(const Mesh& mesh, const Case& input, const Iterate* previous, Iter
   if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
   DiscreteProblem discrete(mesh, input.problem);
   Solution solution = solve(discrete, guess);
+  require_range(solution.values);
   iterate.values = std::move(solution.values);
   iterate.residual = std::move(solution.residual);
   iterate.fluxes = std::move(solution.fluxes);
@@ -260,6 +273,7 @@ double targeted_goal_error(const IterationRow& row) {
   if (!row.goal) return std::numeric_limits<double>::quiet_NaN();
   const GoalError& estimate = row.goal->estimate;
   if (row.goal->error) return std::abs(*row.goal->error);
+  if (row.solve_report && row.solve_report->unknowns == 0) return std::numeric_limits<double>::quiet_NaN();
   return std::max(std::abs(estimate.error), least_share * estimate.magnitude);
 }
 

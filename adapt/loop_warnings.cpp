@@ -107,6 +107,12 @@ std::optional<std::string> of_correction(const IterationRow& last) {
          short_number(last.solve_report->correction_change, 2);
 }
 
+// Of values that were all given.
+std::optional<std::string> of_no_unknowns(const IterationRow& last) {
+  if (!last.solve_report || last.solve_report->unknowns > 0) return std::nullopt;
+  return "no vertex of the last mesh is free: the solution is made of given values alone, and its error is not known";
+}
+
 // Of a solution that is one of many.
 std::optional<std::string> of_constants(const IterationRow& last) {
   const int parts = last.solve_report ? last.solve_report->null_components : 0;
@@ -128,6 +134,7 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   if (!satisfies_metric(last.diagnosis)) {
     for (std::string& sentence : sentences(last.diagnosis)) warnings.push_back(std::move(sentence));
   }
+  add(of_no_unknowns(last));
   add(of_constants(last));
   add(of_nonfinite(last));
   add(of_unresolved(last));

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace parmesan {
 
 std::string short_number(double value, int digits) {
+  if (std::isnan(value)) return "unknown";
   std::array<char, 64> buffer{};
   const auto end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);

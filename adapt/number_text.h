@@ -5,7 +5,7 @@
 
 namespace parmesan {
 
-/// A number with at most so many significant digits, independent of the locale: "1.23e-05", "0.5".
+/// A number with at most so many significant digits, independent of the locale: "1.23e-05", "0.5"; "unknown" for NaN.
 std::string short_number(double value, int digits);
 
 /// Text moved to the right end of a field of this width.

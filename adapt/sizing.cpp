@@ -39,6 +39,7 @@ std::size_t rung_start(std::span<const SizeStep> history) {
 // How much error * vertices fell with the last step, whatever the sizes were.
 double gain_of_last_pass(std::span<const SizeStep> history) {
   const SizeStep& before = history[history.size() - 2];
+  if (std::isinf(before.error) && std::isinf(history.back().error)) return before.vertices / history.back().vertices;
   return before.error * before.vertices / (history.back().error * history.back().vertices);
 }
 
@@ -86,7 +87,8 @@ Fall fall_seen(std::span<const SizeStep> history) {
   if (first == 0) return {};
   const SizeStep& before = history[first - 1];
   const SizeStep& now = history.back();
-  if (!before.adapted || now.vertices <= before.vertices) return {};
+  if (!before.adapted || now.vertices <= before.vertices || std::isinf(before.error) || std::isinf(now.error))
+    return {};
   return {std::log(before.error / now.error), std::log(now.vertices / before.vertices)};
 }
 
@@ -170,7 +172,7 @@ SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal) 
   const bool near_target = goal.error_targets && last.adapted && !at_cap && wanted <= same_size * last.asked;
   const std::optional<double> aim = at_size ? goal.vertices : std::nullopt;
   if (!near_target && !settled(history, at_cap || at_size || aimless, aim)) return {last.asked, std::nullopt};
-  if (at_size) return {last.asked, StopReason::Vertices};
+  if (at_size) return {last.asked, is_off(last, *aim) ? StopReason::Stagnated : StopReason::Vertices};
   if (at_cap) return {last.asked, StopReason::VertexBudget};
   if (aimless) return {last.asked, StopReason::Unchanged};
   if (goal.error_targets && stagnated(history)) return {last.asked, StopReason::Stagnated};

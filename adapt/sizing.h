@@ -14,7 +14,8 @@ struct SizeStep {
   double asked = 0.0;     // vertices asked of the mesher
   double vertices = 0.0;  // vertices it gave
   double error = 0.0;     // falls like 1 / vertices: an L2 error, or the square of an H1 error. With
-                          // error targets: the largest error / target, so 1 means all are met
+                          // error targets: the largest error / target, so 1 means all are met.
+                          // Infinite where it is not known
   bool adapted = true;    // false for the uniform mesh at the start
 };
 
@@ -65,7 +66,7 @@ double observed_order(std::span<const SizeStep> history);
 ///   had 3 passes at that size.
 ///
 /// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (with error targets: 4 passes in which the error did not
-/// fall by 2 %), or Unchanged when nothing is aimed at and the first size has settled.
+/// fall by 2 %; with a size aimed at: 8 passes that missed it), or Unchanged when nothing is aimed at and the first size has settled.
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal);
 
 }  // namespace parmesan

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "adapt/json_number.h"
 #include "adapt/math_library.h"
 
 namespace parmesan {
@@ -11,16 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
-
 Json norms(const std::optional<ErrorNorms>& e, bool with_l1) {
   if (!e) return nullptr;
   Json j;
-  if (with_l1) j["l1"] = number(e->l1);
-  j["l2"] = number(e->l2);
-  j["linf"] = number(e->linf);
-  j["h1"] = number(e->h1);
+  if (with_l1) j["l1"] = json_number(e->l1);
+  j["l2"] = json_number(e->l2);
+  j["linf"] = json_number(e->linf);
+  j["h1"] = json_number(e->h1);
   if (e->num_nonfinite > 0) j["nonfinite_points"] = e->num_nonfinite;
   return j;
 }
@@ -28,10 +26,10 @@ Json norms(const std::optional<ErrorNorms>& e, bool with_l1) {
 Json estimate(const IterationRow& row) {
   const std::optional<EstimatedError>& e = row.estimated_error;
   if (!e) return nullptr;
-  return Json{{"l2", number(e->l2)},
-              {"h1", number(e->h1)},
-              {"linf", number(e->linf)},
-              {"h1_residual", number(row.residual_h1)}};
+  return Json{{"l2", json_number(e->l2)},
+              {"h1", json_number(e->h1)},
+              {"linf", json_number(e->linf)},
+              {"h1_residual", json_number(row.residual_h1)}};
 }
 
 // Estimated over true error.
@@ -39,20 +37,20 @@ Json effectivity(const IterationRow& row) {
   const std::optional<EstimatedError>& estimated = row.estimated_error;
   const std::optional<ErrorNorms>& error = row.solution_error;
   if (!estimated || !error) return nullptr;
-  return Json{{"l2", number(estimated->l2 / error->l2)},
-              {"h1", number(estimated->h1 / error->h1)},
-              {"h1_residual", row.residual_h1 ? number(*row.residual_h1 / error->h1) : Json(nullptr)}};
+  return Json{{"l2", json_number(estimated->l2 / error->l2)},
+              {"h1", json_number(estimated->h1 / error->h1)},
+              {"h1_residual", row.residual_h1 ? json_number(*row.residual_h1 / error->h1) : Json(nullptr)}};
 }
 
 Json goal(const std::optional<GoalRow>& g) {
   if (!g) return nullptr;
-  return Json{{"value", number(g->value)},
-              {"estimate", number(g->estimate.error)},
-              {"magnitude", number(g->estimate.magnitude)},
-              {"error", number(g->error)},
-              {"corrected", number(g->corrected())},
-              {"corrected_error", number(g->corrected_error())},
-              {"effectivity", g->error ? number(g->estimate.error / *g->error) : Json(nullptr)}};
+  return Json{{"value", json_number(g->value)},
+              {"estimate", json_number(g->estimate.error)},
+              {"magnitude", json_number(g->estimate.magnitude)},
+              {"error", json_number(g->error)},
+              {"corrected", json_number(g->corrected())},
+              {"corrected_error", json_number(g->corrected_error())},
+              {"effectivity", g->error ? json_number(g->estimate.error / *g->error) : Json(nullptr)}};
 }
 
 Json solver(const std::optional<SolveReport>& r) {
@@ -60,31 +58,30 @@ Json solver(const std::optional<SolveReport>& r) {
   return Json{{"method", r->solver},
               {"unknowns", r->unknowns},
               {"iterations", r->iterations},
-              {"backward_error", number(r->backward_error)},
-              {"peclet_min", number(r->peclet_min)},
-              {"peclet_max", number(r->peclet_max)},
+              {"backward_error", json_number(r->backward_error)},
+              {"peclet_min", json_number(r->peclet_min)},
+              {"peclet_max", json_number(r->peclet_max)},
               {"capturing_steps", r->capturing_steps},
-              {"capturing_change", number(r->capturing_change)},
+              {"capturing_change", json_number(r->capturing_change)},
               {"correction_steps", r->correction_steps},
-              {"correction_change", number(r->correction_change)},
+              {"correction_change", json_number(r->correction_change)},
               {"constant_components", r->null_components},
-              {"compatibility_mismatch", number(r->compatibility_mismatch)}};
+              {"compatibility_mismatch", json_number(r->compatibility_mismatch)}};
 }
 
 Json bounds(const std::optional<SolveReport>& r) {
   if (!r) return nullptr;
-  const auto bound = [](const std::optional<double>& b) { return b ? number(*b) : Json(nullptr); };
-  return Json{{"lower", bound(r->bounds.lower)},
-              {"upper", bound(r->bounds.upper)},
-              {"minimum", number(r->minimum)},
-              {"maximum", number(r->maximum)},
-              {"undershoot", r->bounds.lower ? number(r->undershoot()) : Json(nullptr)},
-              {"overshoot", r->bounds.upper ? number(r->overshoot()) : Json(nullptr)}};
+  return Json{{"lower", json_number(r->bounds.lower)},
+              {"upper", json_number(r->bounds.upper)},
+              {"minimum", json_number(r->minimum)},
+              {"maximum", json_number(r->maximum)},
+              {"undershoot", r->bounds.lower ? json_number(r->undershoot()) : Json(nullptr)},
+              {"overshoot", r->bounds.upper ? json_number(r->overshoot()) : Json(nullptr)}};
 }
 
 Json numbers(const std::map<std::string, double>& named) {
   Json j = Json::object();
-  for (const auto& [name, value] : named) j[name] = number(value);
+  for (const auto& [name, value] : named) j[name] = json_number(value);
   return j;
 }
 
@@ -97,9 +94,10 @@ Json seconds(const StageSeconds& s) {
 Json misfits(const std::vector<Misfits>& all, const char* name) {
   Json j = Json::array();
   for (const Misfits& m : all) {
-    j.push_back({{"reason", to_string(m.reason)},
-                 {"count", m.count},
-                 {"worst", {{"x", number(m.place.x)}, {"y", number(m.place.y)}, {name, number(m.worst)}}}});
+    j.push_back(
+        {{"reason", to_string(m.reason)},
+         {"count", m.count},
+         {"worst", {{"x", json_number(m.place.x)}, {"y", json_number(m.place.y)}, {name, json_number(m.worst)}}}});
   }
   return j;
 }
@@ -228,13 +226,13 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["iteration"] = row.iteration;
   j["vertices"] = row.vertices;
   j["triangles"] = row.triangles;
-  j["complexity"] = number(row.complexity);
+  j["complexity"] = json_number(row.complexity);
   j["clipped"] = {{"h_min", row.clipped.h_min.count},
                   {"h_max", row.clipped.h_max.count},
                   {"aspect", row.clipped.aspect.count},
                   {"gradation", row.clipped.gradation.count}};
   j["interpolation_error"] = norms(row.interpolation_error, true);
-  j["efficiency"] = row.efficiency ? number(*row.efficiency) : Json(nullptr);
+  j["efficiency"] = json_number(row.efficiency);
   j["solution_error"] = norms(row.solution_error, false);
   j["estimated_error"] = estimate(row);
   j["effectivity"] = effectivity(row);
@@ -243,19 +241,20 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
   j["bounds"] = bounds(row.solve_report);
   j["fluxes"] = numbers(row.fluxes);
   j["functionals"] = numbers(row.functionals);
-  j["unit_edges"] = number(row.unit_edges);
-  j["edge_length"] = {{"min", number(row.length_min)}, {"max", number(row.length_max)}};
-  j["quality"] = {{"min", number(row.quality_min)},
-                  {"p01", number(row.quality_p01)},
-                  {"mean", number(row.quality_mean)},
-                  {"min_away_from_corners", number(row.quality_min_away_from_corners)}};
-  j["worst_element"] = {
-      {"x", number(row.worst.center.x)}, {"y", number(row.worst.center.y)}, {"quality", number(row.worst.quality)}};
+  j["unit_edges"] = json_number(row.unit_edges);
+  j["edge_length"] = {{"min", json_number(row.length_min)}, {"max", json_number(row.length_max)}};
+  j["quality"] = {{"min", json_number(row.quality_min)},
+                  {"p01", json_number(row.quality_p01)},
+                  {"mean", json_number(row.quality_mean)},
+                  {"min_away_from_corners", json_number(row.quality_min_away_from_corners)}};
+  j["worst_element"] = {{"x", json_number(row.worst.center.x)},
+                        {"y", json_number(row.worst.center.y)},
+                        {"quality", json_number(row.worst.quality)}};
   j["misfits"] = misfits(row.diagnosis);
   j["start"] = to_string(row.start);
   j["start_reason"] = row.start_reason;
   j["seconds"] = seconds(row.seconds);
-  j["peak_memory_mb"] = number(row.peak_memory_mb);
+  j["peak_memory_mb"] = json_number(row.peak_memory_mb);
   return j;
 }
 
@@ -268,7 +267,7 @@ nlohmann::ordered_json to_json(const Summary& summary) {
   j["threads"] = summary.threads;
   j["stop_reason"] = to_string(summary.stop_reason);
   j["targets_met"] = summary.targets_met;
-  j["interpolation_limit"] = summary.interpolation_limit ? number(*summary.interpolation_limit) : Json(nullptr);
+  j["interpolation_limit"] = json_number(summary.interpolation_limit);
   j["warnings"] = summary.warnings;
   j["iterations"] = Json::array();
   for (const IterationRow& row : summary.iterations) j["iterations"].push_back(to_json(row));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,6 +26,9 @@ class FreeEquations {
                 const SolverOptions& options = {});
   FreeEquations(const FreeEquations&) = delete;
   FreeEquations& operator=(const FreeEquations&) = delete;
+
+  /// How many values are free.
+  std::size_t num_unknowns() const { return reduced_.vertices.size(); }
 
   /// A x = load where x is free, x = given elsewhere (n values), means zero on the components of the null space.
   /// guess: n values to iterate from, or none. Errors: as LinearSolver.

@@ -18,7 +18,8 @@ namespace parmesan {
 /// part adds little.
 ///
 /// Asymptotically exact where the gradients are. Around singular vertices solutions on refined patches take their
-/// place. l2 and linf are NaN where the second part is not found. Errors and cost: two to four steps of
+/// place. l2 and linf are NaN where the second part is not found, all are where no vertex is free: values that are given
+/// tell nothing of the solution. Errors and cost: two to four steps of
 /// nodal_correction.h.
 EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double> values);
 

@@ -15,8 +15,11 @@ namespace parmesan {
 
 namespace {
 
-constexpr int pieces = 4;   // of each side of a triangle
-constexpr int strips = 12;  // on the way to a center
+constexpr int pieces = 4;  // of each side of a triangle
+
+// Strips on the way to a center. Of r^a what lies within 2^-strips is not resolved: with a = 1/4 an eighth of its size
+// there with 12 strips, 1/500 with 36.
+constexpr int least_strips = 12, most_strips = 36;
 
 using Edge = std::array<int, 2>;
 
@@ -44,8 +47,8 @@ bool is_too_large(const Mesh& mesh, std::ptrdiff_t num_triangles) {
          num_triangles * vertices_each > std::max(few_vertices, 2 * std::ssize(mesh.points));
 }
 
-/// Whether the smallest pieces are resolved by the coordinates.
-bool can_be_cut(const P1Element& element) {
+/// How many strips there can be so that the smallest pieces are resolved by the coordinates.
+int strips_resolved(const P1Element& element) {
   constexpr double enough = 1e4;  // ulp
   double largest = 0.0, longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -53,7 +56,10 @@ bool can_be_cut(const P1Element& element) {
     longest = std::max(longest, norm(element.p[(k + 1) % 3] - element.p[k]));
   }
   const double height = 2.0 * element.area / longest;
-  return std::ldexp(height / pieces, -strips) > enough * std::numeric_limits<double>::epsilon() * largest;
+  const double resolved = enough * std::numeric_limits<double>::epsilon() * largest;
+  int strips = most_strips;
+  while (strips >= least_strips && !(std::ldexp(height / pieces, -strips) > resolved)) --strips;
+  return strips;
 }
 
 /// Makes the coarse mesh and collects its sides.
@@ -120,8 +126,8 @@ class CoarsePatch {
 /// Cuts the triangles. Vertices on sides are found by the side and the weight of its lower end, which is exact.
 class Refinement {
  public:
-  Refinement(RefinedPatch& patch, std::vector<char> is_center)
-      : patch_(patch), is_center_(std::move(is_center)), of_corner_(patch.vertices.size(), -1) {
+  Refinement(RefinedPatch& patch, std::vector<char> is_center, int strips)
+      : patch_(patch), is_center_(std::move(is_center)), strips_(strips), of_corner_(patch.vertices.size(), -1) {
     for (std::size_t t = 0; t < patch.coarse.triangles.size(); ++t) cut(static_cast<int>(t));
     patch_.fine.label_names = patch.coarse.label_names;
     patch_.fine.region_names = patch.coarse.region_names;
@@ -169,7 +175,7 @@ class Refinement {
     const auto halfway = [&center](const Barycentric& p) {
       return Barycentric{0.5 * (center[0] + p[0]), 0.5 * (center[1] + p[1]), 0.5 * (center[2] + p[2])};
     };
-    for (int strip = 0; strip < strips; ++strip) {
+    for (int strip = 0; strip < strips_; ++strip) {
       const Barycentric next_a = halfway(a), next_b = halfway(b);
       add({next_a, a, b});
       add({next_a, b, next_b});
@@ -235,6 +241,7 @@ class Refinement {
 
   RefinedPatch& patch_;
   std::vector<char> is_center_;
+  int strips_;
   std::vector<int> of_corner_;
   std::map<Edge, std::map<double, int>> of_side_;   // by the weight of the lower end
   std::map<std::pair<double, double>, int> inner_;  // those inside of one triangle
@@ -247,14 +254,16 @@ class Refinement {
 RefinedPatch refined_patch(const Mesh& mesh, const std::vector<Side>& sides, std::span<const int> centers) {
   const std::vector<char> chosen = rings_around(mesh, centers);
   if (is_too_large(mesh, std::ranges::count(chosen, 1))) return {};
+  int strips = most_strips;
   for (std::size_t t = 0; t < chosen.size(); ++t)
-    if (chosen[t] && !can_be_cut(p1_element(mesh, static_cast<int>(t)))) return {};
+    if (chosen[t]) strips = std::min(strips, strips_resolved(p1_element(mesh, static_cast<int>(t))));
+  if (strips < least_strips) return {};
   CoarsePatch coarse(mesh, sides, chosen);
   RefinedPatch patch = coarse.take();
   std::vector<char> is_center(patch.vertices.size(), 0);
   for (const int v : centers)
     if (coarse.local(v) >= 0) is_center[at(coarse.local(v))] = 1;
-  const Refinement refinement(patch, std::move(is_center));
+  const Refinement refinement(patch, std::move(is_center), strips);
   patch.is_cut.assign(patch.fine.points.size(), 0);
   for (const Edge& edge : coarse.cut())
     for (const int v : refinement.chain(edge)) patch.is_cut[at(v)] = 1;

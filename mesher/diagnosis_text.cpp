@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "mesher/diagnosis.h"
+#include "mesher/geometry/message_text.h"
 
 namespace parmesan {
 namespace {
@@ -36,15 +37,14 @@ std::int64_t total(const std::vector<Misfits>& misfits) {
 std::string sentence(const std::vector<Misfits>& misfits, std::string_view one, std::string_view many) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
+  text.precision(3);
   const std::int64_t count = total(misfits);
   text << count << (count == 1 ? one : many);
   std::string_view separator = ": ";
   for (const Misfits& m : misfits) {
     text << separator << m.count << " " << explanation(m.reason) << ", " << (m.count == 1 ? "" : "the worst ");
-    text.precision(3);
     text << m.worst;
-    text.precision(6);
-    text << " at (" << m.place.x << ", " << m.place.y << ")";
+    text << " at " << rounded_text(m.place);
     separator = "; ";
   }
   return text.str();

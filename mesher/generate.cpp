@@ -163,7 +163,7 @@ Relaxed mesh_from_scratch(const Domain& domain, const MetricField& field, Scratc
   Relaxed relaxed = mesh_in_levels(domain, field, start, effort, options);
   if (integrate_complexity(relaxed.mesh, relaxed.metrics) >= most * start.held) return relaxed;
   const std::size_t num_sites = start.mesh.points.size();
-  start.mesh = start.overlooked.with_sites(start.mesh, scale_of(coarser_levels(start.expected_vertices)));
+  start.mesh = start.overlooked.with_sites(start.mesh, scale_of(coarser_levels(start.expected_vertices)), 1.0);
   return start.mesh.points.size() == num_sites ? relaxed : mesh_in_levels(domain, field, start, effort, options);
 }
 

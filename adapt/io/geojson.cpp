@@ -8,6 +8,7 @@
 
 #include "adapt/io/geojson_features.h"
 #include "mesher/delaunay_mesh.h"
+#include "mesher/errors.h"
 #include "mesher/index.h"
 #include "mesher/io/text.h"
 #include "mesher/mesh_sides.h"
@@ -131,15 +132,68 @@ void find_regions(const std::vector<GeoFeature>& features, Mesh& mesh) {
   }
 }
 
+/// Which sides of a mesh lie in features, and which between a feature and none.
+class SideOfFeatures {
+ public:
+  explicit SideOfFeatures(const Mesh& mesh) : mesh_(mesh) {}
+  bool is_inside(int triangle) const { return triangle >= 0 && mesh_.regions[at(triangle)] != 0; }
+  bool touches(const MeshSide& side) const { return is_inside(side.left) || is_inside(side.right); }
+  bool bounds(const MeshSide& side) const { return is_inside(side.left) != is_inside(side.right); }
+
+ private:
+  const Mesh& mesh_;
+};
+
+/// Triangles in no feature, and the edges between them.
 void drop_outside(Mesh& mesh) {
+  const SideOfFeatures features(mesh);
   Mesh kept;
+  for (const MeshSide& side : sides_of(mesh)) {
+    if (side.edge < 0 || !features.touches(side)) continue;
+    kept.edges.push_back(mesh.edges[at(side.edge)]);
+    kept.labels.push_back(mesh.labels[at(side.edge)]);
+  }
   for (int t = 0; t < mesh.num_triangles(); ++t) {
-    if (mesh.regions[at(t)] == 0) continue;
+    if (!features.is_inside(t)) continue;
     kept.triangles.push_back(mesh.triangles[at(t)]);
     kept.regions.push_back(mesh.regions[at(t)]);
   }
+  mesh.edges = std::move(kept.edges);
+  mesh.labels = std::move(kept.labels);
   mesh.triangles = std::move(kept.triangles);
   mesh.regions = std::move(kept.regions);
+}
+
+/// Whether rings of one feature run together: then segments alone do not tell what an odd number of rings enclose.
+bool has_shared_sides(const Mesh& mesh) {
+  const SideOfFeatures feature(mesh);
+  return std::ranges::any_of(sides_of(mesh),
+                             [&](const MeshSide& side) { return side.edge >= 0 && !feature.bounds(side); });
+}
+
+/// What the rings enclose, triangulated, each part with the feature that it is in or 0.
+Mesh parts_of_features(Domain rings, const std::vector<GeoFeature>& features, Crossings crossings) {
+  rings.inside = Inside::HoleSeeds;
+  Mesh mesh = delaunay_mesh(crossings == Crossings::Split ? clean(rings, crossings).domain : rings).mesh;
+  find_regions(features, mesh);
+  return mesh;
+}
+
+Domain domain_of_parts(Mesh mesh) {
+  drop_outside(mesh);
+  if (mesh.triangles.empty()) throw GeometryError("the rings enclose no area");
+  return domain_of(mesh);
+}
+
+/// Where rings do not run together, the domain that has them as they are.
+Domain domain_of_one(const std::vector<GeoFeature>& features, Crossings crossings) {
+  Domain rings = domain_of_feature(features.front());
+  Mesh mesh = parts_of_features(rings, features, crossings);
+  if (!has_shared_sides(mesh)) return rings;
+  Domain domain = domain_of_parts(std::move(mesh));
+  domain.regions.clear();
+  domain.region_names = rings.region_names;
+  return domain;
 }
 
 /// All the rings enclose is triangulated; its parts then are in a feature or in none.
@@ -153,17 +207,14 @@ Domain domain_of_features(const std::vector<GeoFeature>& features, Crossings cro
     }
   }
   all.region_names = all.label_names;
-  Mesh mesh = delaunay_mesh(crossings == Crossings::Split ? clean(all, crossings).domain : all).mesh;
-  find_regions(features, mesh);
-  drop_outside(mesh);
-  return domain_of(mesh);
+  return domain_of_parts(parts_of_features(std::move(all), features, crossings));
 }
 
 }  // namespace
 
 Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings) {
   const std::vector<GeoFeature> features = parse_geojson_features(text, name);
-  return features.size() == 1 ? domain_of_feature(features.front()) : domain_of_features(features, crossings);
+  return features.size() == 1 ? domain_of_one(features, crossings) : domain_of_features(features, crossings);
 }
 
 Domain read_geojson(const std::string& path, Crossings crossings) {

@@ -165,10 +165,16 @@ void write_head(OutputFile& out) {
 
 }  // namespace
 
-void write_report(const std::string& path, const std::vector<std::string>& folders) {
+std::vector<std::string> write_report(const std::string& path, const std::vector<std::string>& folders) {
   std::vector<Entry> entries;
+  std::vector<std::string> missing;
   entries.reserve(folders.size());
-  for (const std::string& folder : folders) entries.push_back(entry_of(folder));
+  for (const std::string& folder : folders) {
+    entries.push_back(entry_of(folder));
+    if (!entries.back().iterate && entries.back().about["kind"] == "run")
+      missing.push_back(folder +
+                        ": there is no checkpoint that can be read, so the page lacks its mesh and histograms");
+  }
   Json data;
   data["version"] = PARMESAN_VERSION;
   for (int k = 0; k < num_colours; ++k) data["colours"].push_back(colour_at(k / (num_colours - 1.0)));
@@ -180,6 +186,7 @@ void write_report(const std::string& path, const std::vector<std::string>& folde
     if (entries[k].about.contains("mesh") && entries[k].about["mesh"]["drawn"]) write_arrays(out, k, entries[k]);
   out << "<script>" << report_page.script << "</script>\n</body>\n</html>\n";
   out.commit();
+  return missing;
 }
 
 }  // namespace parmesan

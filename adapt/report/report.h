@@ -10,7 +10,8 @@ namespace parmesan {
 ///
 /// The page loads nothing: its scripts, styles and data are inside, and a content security policy lets no others
 /// run. Whatever names and titles hold, they only ever become text.
+/// Returns what it lacks, one sentence each: meshes of runs without a checkpoint that can be read.
 /// Errors: FileError (a folder has no finished run or comparison, or the page cannot be written).
-void write_report(const std::string& path, const std::vector<std::string>& folders);
+std::vector<std::string> write_report(const std::string& path, const std::vector<std::string>& folders);
 
 }  // namespace parmesan

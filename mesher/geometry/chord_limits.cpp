@@ -88,6 +88,12 @@ class Gap {
   SegmentTree tree_;
 };
 
+/// How often each of so many chords may be halved.
+int halvings_each(std::size_t num_chords, int most) {
+  constexpr double most_parts = 1e6;
+  return std::clamp(static_cast<int>(std::log2(most_parts / static_cast<double>(num_chords))), 2, most);
+}
+
 /// Of arcs, by pieces that follow the curves.
 Gap gap_of_arcs(const Domain& domain, const Outline& outline) {
   constexpr int most_parts = 64, most_pieces = 200'000;
@@ -97,7 +103,7 @@ Gap gap_of_arcs(const Domain& domain, const Outline& outline) {
 
 /// The least gap of the chords of each curve, which hold apart wherever they stand for their arcs.
 std::vector<double> least_gaps(const Domain& domain, const Outline& outline) {
-  constexpr int halvings = 14;
+  const int halvings = halvings_each(outline.segments.size(), 14);
   const Gap gap(outline.domain, cut(domain, outline, 1));
   std::vector<double> least(domain.curves.size(), HUGE_VAL);
   for (int i = 0; i < static_cast<int>(outline.segments.size()); ++i) {
@@ -116,8 +122,8 @@ std::vector<double> least_gaps(const Domain& domain, const Outline& outline) {
 
 void limit_chord_errors(Domain& domain, const Outline& outline, double share_of_extent) {
   constexpr double share_of_gap = 1.0 / 8.0;
-  constexpr int halvings = 10;
   if (!has_curves(domain)) return;
+  const int halvings = halvings_each(outline.segments.size(), 10);
   const Gap gap = gap_of_arcs(domain, outline);
   const std::vector<double> least = least_gaps(domain, outline);
   std::vector<std::vector<double>> samples;

@@ -56,6 +56,7 @@ struct Domain {
   double merge_tolerance = 0.0;  // points nearer than this become one; L
   LabelNames label_names;
   LabelNames region_names;
+  int first_number = 0;  // that the user's file gives its points and segments, for messages
 };
 
 /// What is done about segments that cross where neither has a point.
@@ -76,7 +77,7 @@ struct CleanDomain {
 /// segments (the first keeps its label), splits segments at points that lie exactly on them and at
 /// overlaps. Keeps the order of points and segments. A crack of one segment, which could not open, gets a point in its
 /// middle. Notes free ends but those of cracks, and points that are under 1e-7
-/// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from 0; points made at crossings
+/// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from first_number; points made at crossings
 /// are numbered after them.
 ///
 /// Where crossings are split, curves that run together become one, and curved segments are split on both curves.

@@ -11,4 +11,7 @@ std::string text(int value);
 std::string text(double value);
 std::string text(const Point& p);  // "(x, y)"
 
+/// The place to six digits, or, where coordinates exceed a thousand, to five decimals: "(0.333333, 0.5)".
+std::string rounded_text(const Point& p);
+
 }  // namespace parmesan

@@ -50,6 +50,7 @@ class ChordSearch {
   void find_crossings(const Polygon& polygon);
   void find_equal(const Polygon& polygon);
   void find_enclosed(const Polygon& polygon);
+  void find_thin(const Polygon& coarse, const Polygon& fine);
   void must_halve(int chord, int other, const Point& place);
   void halve();
 
@@ -188,6 +189,27 @@ void ChordSearch::find_enclosed(const Polygon& polygon) {
   }
 }
 
+// Chords of curves that run so near to others that a domain between their chords is much thicker than the one between
+// the curves.
+void ChordSearch::find_thin(const Polygon& coarse, const Polygon& fine) {
+  constexpr double share_of_gap = 0.25;
+  const SegmentTree tree(fine.domain);
+  for (int c = 0; c < static_cast<int>(chords_.size()); ++c) {
+    if (is_straight(c)) continue;
+    const Segment& s = coarse.domain.segments[at(c)];
+    const auto is_apart = [&](int piece) {
+      const Segment& o = coarse.domain.segments[at(fine.chords[at(piece)])];
+      return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
+    };
+    const Curve& curve = domain_.curves[at(segment(c).curve)];
+    const auto& [whole, t0, t1] = chords_[at(c)];
+    const double most = share_of_gap * tree.nearest(curve.at(0.5 * (t0 + t1)), is_apart).distance;
+    if (curve.deviation(t0, t1) <= most) continue;
+    to_halve_[at(c)] = 1;
+    any_ = true;
+  }
+}
+
 // It is on one side of the chord from a to b, and on the other of the arc.
 bool ChordSearch::is_between(const Chord& chord, const Point& a, const Point& b, const Point& p) const {
   const Curve& curve = domain_.curves[at(domain_.segments[at(chord.segment)].curve)];
@@ -217,6 +239,7 @@ OutlineResult ChordSearch::run() {
   // Beyond that curves run together, or so near to each other that no mesh could tell them apart.
   constexpr std::size_t max_chords = 100'000;
   constexpr std::size_t max_chords_per_segment = 100;
+  constexpr std::size_t enough_chords = 20'000;  // for what is but thin
   for (int round = 0; round < max_rounds; ++round) {
     to_halve_.assign(chords_.size(), 0);
     any_ = false;
@@ -224,7 +247,9 @@ OutlineResult ChordSearch::run() {
     find_equal(coarse);
     find_crossings(coarse);
     find_enclosed(coarse);
-    if (!any_) find_crossings(polygon(arcs_per_chord));
+    const Polygon fine = any_ ? Polygon{} : polygon(arcs_per_chord);
+    if (!any_) find_crossings(fine);
+    if (!any_ && chords_.size() < enough_chords) find_thin(coarse, fine);
     if (any_ && chords_.size() > max_chords_per_segment * domain_.segments.size() + max_chords) conflict_ = last_;
     if (conflict_) return {{}, conflict_};
     if (!any_) {

@@ -9,14 +9,17 @@
 
 namespace parmesan {
 
-/// The number that the user gave to a segment.
+/// Where the user has a segment, counted from 0.
 struct SegmentSource {
   int number = 0;
   std::vector<int> repeated = {};  // the numbers of those that were dropped because they lie on it
 };
 
-/// A domain under repair. The sources are the numbers that the user gave its points and segments,
-/// which messages use. The stages below take it and return it repaired; clean() calls them in the
+/// What messages call a point or a segment of the domain that the user gave.
+inline std::string number_text(const Domain& domain, int index) { return text(index + domain.first_number); }
+
+/// A domain under repair. The sources are the places of its points and segments in what the user gave,
+/// whose numbers messages use. The stages below take it and return it repaired; clean() calls them in the
 /// order in which they stand here.
 struct DomainRepair {
   Domain domain;
@@ -28,6 +31,8 @@ struct DomainRepair {
   const Segment& segment(int s) const { return domain.segments[static_cast<std::size_t>(s)]; }
   int source_point(int i) const { return point_sources[static_cast<std::size_t>(i)]; }
   int source_segment(int s) const { return segment_sources[static_cast<std::size_t>(s)].number; }
+  std::string point_text(int i) const { return number_text(domain, source_point(i)); }
+  std::string segment_text(int s) const { return number_text(domain, source_segment(s)); }
 
   /// The number of the next point that is made, after the user's. Cost: O(n).
   int next_source_point() const;

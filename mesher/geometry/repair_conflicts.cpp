@@ -14,9 +14,8 @@ namespace parmesan {
 namespace {
 
 [[noreturn]] void refuse_crossing(const DomainRepair& repair, int s, int t) {
-  throw GeometryError("segments " + text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) +
-                          " cross at " + text(crossing_of(repair, s, t)) +
-                          "; split both there (mesh --repair does) or move one",
+  throw GeometryError("segments " + repair.segment_text(s) + " and " + repair.segment_text(t) + " cross at " +
+                          text(crossing_of(repair, s, t)) + "; split both there (mesh --repair does) or move one",
                       {repair.source_segment(s), repair.source_segment(t)});
 }
 
@@ -62,9 +61,11 @@ void refuse_curve_conflicts(const DomainRepair& repair) {
   if (!conflict) return;
   const auto [s, t] = std::minmax({repair.source_segment(conflict->first), repair.source_segment(conflict->second)});
   const std::string place = text(conflict->place);
-  if (s == t) throw GeometryError("the curve of segment " + text(s) + " crosses or touches itself at " + place, {s});
-  throw GeometryError("segments " + text(s) + " and " + text(t) + " cross or touch at " + place +
-                          "; curved segments may only meet at points of the domain",
+  if (s == t)
+    throw GeometryError(
+        "the curve of segment " + number_text(repair.domain, s) + " crosses or touches itself at " + place, {s});
+  throw GeometryError("segments " + number_text(repair.domain, s) + " and " + number_text(repair.domain, t) +
+                          " cross or touch at " + place + "; curved segments may only meet at points of the domain",
                       {s, t});
 }
 

@@ -41,7 +41,7 @@ std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::v
   PointIndex index(repair);
   std::vector<std::vector<int>> along(repair.domain.segments.size());
   for (const auto& [s, t, p] : crossings) {
-    notes.push_back(text(repair.source_segment(s)) + " and " + text(repair.source_segment(t)) + " at " + text(p));
+    notes.push_back(repair.segment_text(s) + " and " + repair.segment_text(t) + " at " + text(p));
     const int v = index.at(p);
     for (const int crossed : {s, t})
       if (repair.segment(crossed).is_straight()) along[static_cast<std::size_t>(crossed)].push_back(v);

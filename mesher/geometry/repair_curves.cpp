@@ -26,9 +26,8 @@ void require_ends(const DomainRepair& repair, int segment) {
   const Curve& curve = curve_of(repair, s);
   const auto require = [&](const char* verb, const Point& end, int point) {
     if (norm(repair.point(point) - end) <= reach(curve, end)) return;
-    throw GeometryError("the curve of segment " + text(repair.source_segment(segment)) + " " + verb + " at " +
-                            text(end) + ", not at its point " + text(repair.source_point(point)) + ", " +
-                            text(repair.point(point)),
+    throw GeometryError("the curve of segment " + repair.segment_text(segment) + " " + verb + " at " + text(end) +
+                            ", not at its point " + repair.point_text(point) + ", " + text(repair.point(point)),
                         {repair.source_segment(segment)});
   };
   require("begins", curve.at(0.0), s.a);
@@ -40,7 +39,7 @@ void refuse_seeds_on_curve(const DomainRepair& repair, int segment) {
   const auto check = [&](const Point& seed, const char* kind, int index) {
     if (norm(curve.at(curve.nearest(seed)) - seed) > reach(curve, seed)) return;
     throw GeometryError(std::string(kind) + " seed " + text(index) + " lies on segment " +
-                            text(repair.source_segment(segment)) + "; move it to the inside of what it marks",
+                            repair.segment_text(segment) + "; move it to the inside of what it marks",
                         {index});
   };
   int index = 0;

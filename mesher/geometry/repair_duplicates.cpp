@@ -112,7 +112,7 @@ DomainRepair merge_points(const Domain& domain) {
       repair.domain.points.push_back(domain.points[i]);
       repair.point_sources.push_back(first[i]);
     } else {
-      merged.push_back(text(static_cast<int>(i)) + " into " + text(first[i]));
+      merged.push_back(number_text(domain, static_cast<int>(i)) + " into " + number_text(domain, first[i]));
     }
   }
   const auto new_number = [&](int i) {

@@ -19,28 +19,30 @@ constexpr double min_diameter = 1e-75;
 
 constexpr double close_share_of_diameter = 1e-7;
 
+// what: "point 3"
 void check_coordinates(const Point& p, const std::string& what, int index) {
   if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-    throw GeometryError(what + " " + text(index) + " has a coordinate that is not finite: " + text(p), {index});
+    throw GeometryError(what + " has a coordinate that is not finite: " + text(p), {index});
   }
   if (std::max(std::abs(p.x), std::abs(p.y)) > max_coordinate) {
-    throw GeometryError(what + " " + text(index) + " is at " + text(p) + "; coordinates may reach " +
-                            text(max_coordinate) + ": scale the domain",
-                        {index});
+    throw GeometryError(
+        what + " is at " + text(p) + "; coordinates may reach " + text(max_coordinate) + ": scale the domain", {index});
   }
 }
 
-void check_end(int v, int num_points, int segment) {
+void check_end(const Domain& domain, int v, int segment) {
+  const int num_points = static_cast<int>(domain.points.size());
   if (v >= 0 && v < num_points) return;
-  throw GeometryError("segment " + text(segment) + " refers to point " + text(v) + "; the " + text(num_points) +
-                          " points are numbered from 0",
+  throw GeometryError("segment " + number_text(domain, segment) + " refers to point " + number_text(domain, v) +
+                          "; the " + text(num_points) + " points are numbered from " + text(domain.first_number),
                       {segment});
 }
 
-void check_curve(int curve, int num_curves, int segment) {
+void check_curve(const Domain& domain, int curve, int segment) {
+  const int num_curves = static_cast<int>(domain.curves.size());
   if (curve >= -1 && curve < num_curves) return;
-  throw GeometryError("segment " + text(segment) + " refers to curve " + text(curve) + "; the " + text(num_curves) +
-                          " curves are numbered from 0",
+  throw GeometryError("segment " + number_text(domain, segment) + " refers to curve " + text(curve) + "; the " +
+                          text(num_curves) + " curves are numbered from 0",
                       {segment});
 }
 
@@ -64,20 +66,29 @@ void check_input(const Domain& domain) {
   if (!(domain.merge_tolerance >= 0.0 && std::isfinite(domain.merge_tolerance)))
     throw GeometryError("the merge tolerance must be a length or 0, not " + text(domain.merge_tolerance));
   int index = 0;
-  for (const Point& p : domain.points) check_coordinates(p, "point", index++);
+  for (const Point& p : domain.points) {
+    check_coordinates(p, "point " + number_text(domain, index), index);
+    ++index;
+  }
   index = 0;
-  for (const Point& p : domain.holes) check_coordinates(p, "hole seed", index++);
+  for (const Point& p : domain.holes) {
+    check_coordinates(p, "hole seed " + text(index), index);
+    ++index;
+  }
   index = 0;
-  for (const RegionSeed& seed : domain.regions) check_coordinates(seed.point, "region seed", index++);
+  for (const RegionSeed& seed : domain.regions) {
+    check_coordinates(seed.point, "region seed " + text(index), index);
+    ++index;
+  }
   index = 0;
   for (const Segment& s : domain.segments) {
-    check_end(s.a, static_cast<int>(domain.points.size()), index);
-    check_end(s.b, static_cast<int>(domain.points.size()), index);
-    check_curve(s.curve, static_cast<int>(domain.curves.size()), index++);
+    check_end(domain, s.a, index);
+    check_end(domain, s.b, index);
+    check_curve(domain, s.curve, index++);
   }
   for (const int v : domain.required_points) {
     if (v < 0 || v >= static_cast<int>(domain.points.size()))
-      throw GeometryError("point " + text(v) + " is required, but there is no such point", {v});
+      throw GeometryError("point " + number_text(domain, v) + " is required, but there is no such point", {v});
   }
 }
 
@@ -118,9 +129,9 @@ DomainRepair note_close_points(DomainRepair repair) {
   const double rounding = rounding_of(repair.domain.points);
   const ClosestPair pair = closest_pair(repair.domain.points);
   if (pair.distance >= close_share_of_diameter * diameter && pair.distance >= rounding) return repair;
-  std::string message = "kept points " + text(repair.source_point(pair.first)) + " and " +
-                        text(repair.source_point(pair.second)) + " apart, though their distance " +
-                        text(pair.distance) + " is only " + text(pair.distance / diameter) + " of the diameter";
+  std::string message = "kept points " + repair.point_text(pair.first) + " and " + repair.point_text(pair.second) +
+                        " apart, though their distance " + text(pair.distance) + " is only " +
+                        text(pair.distance / diameter) + " of the diameter";
   if (pair.distance < rounding) message += " and near the resolution of the coordinates: subtract an offset";
   message += "; a merge tolerance above it makes them one";
   repair.repairs.push_back(std::move(message));

@@ -7,6 +7,7 @@
 #include "mesher/geometry/first_equal.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
+#include "mesher/geometry/segment_path.h"
 
 namespace parmesan {
 
@@ -26,7 +27,7 @@ std::vector<int> first_between_same_points(const std::vector<Segment>& segments)
   const int num_holes = static_cast<int>(domain.holes.size());
   const int index = seed < num_holes ? seed : seed - num_holes;
   throw GeometryError(std::string(seed < num_holes ? "hole" : "region") + " seed " + text(index) + " lies on segment " +
-                          text(segment) + "; move it to the inside of what it marks",
+                          number_text(domain, segment) + "; move it to the inside of what it marks",
                       {index});
 }
 
@@ -99,15 +100,19 @@ DomainRepair drop_repeated_segments(DomainRepair repair) {
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const std::size_t kept = static_cast<std::size_t>(first[s]);
     if (segments[s].a == segments[s].b) {
-      points.push_back(text(sources[s].number));
+      points.push_back(number_text(repair.domain, sources[s].number));
     } else if (kept != s) {
       const bool same = segments[s].label == segments[kept].label;
+      const bool closes_crack = segments[s].label_right && !segments[kept].label_right;
       repeated.push_back(
-          text(sources[s].number) + " lies on " + text(sources[kept].number) +
-          (same ? "" : ", whose label " + text(segments[kept].label) + " beats " + text(segments[s].label)));
+          number_text(repair.domain, sources[s].number) + " lies on " +
+          number_text(repair.domain, sources[kept].number) +
+          (same ? "" : ", whose label " + text(segments[kept].label) + " beats " + text(segments[s].label)) +
+          (closes_crack ? ", which is no crack" : ""));
       std::vector<int>& others = repair.segment_sources[place[kept]].repeated;
       others.push_back(sources[s].number);
       others.insert(others.end(), sources[s].repeated.begin(), sources[s].repeated.end());
+      repair.domain.segments[place[kept]].required |= segments[s].required;
     } else {
       place[s] = repair.domain.segments.size();
       repair.domain.segments.push_back(segments[s]);
@@ -135,7 +140,7 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
       const int v = (*contact)[1];
       if (v >= num_points) refuse_seed(repair.domain, v - num_points, sources[s].number);
       inner.push_back(v);
-      split.push_back(text(sources[s].number) + " at point " + text(repair.source_point(v)));
+      split.push_back(number_text(repair.domain, sources[s].number) + " at point " + repair.point_text(v));
     }
     if (inner.empty()) {
       repair.domain.segments.push_back(segments[s]);
@@ -160,18 +165,21 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
   // Whether other segments there are the boundary, where it would be open, is not known yet.
   const auto may_be_tip = [&](int v) { return cracks[static_cast<std::size_t>(v)] == 1; };
   int next_source = repair.next_source_point();
+  bool any_curved = false;
   const std::size_t num_segments = repair.domain.segments.size();
   for (std::size_t i = 0; i < num_segments; ++i) {
     const Segment whole = repair.domain.segments[i];
-    if (!whole.label_right || !whole.is_straight() || !may_be_tip(whole.a) || !may_be_tip(whole.b)) continue;
+    if (!whole.label_right || !may_be_tip(whole.a) || !may_be_tip(whole.b)) continue;
     const int middle = static_cast<int>(repair.domain.points.size());
-    repair.domain.points.push_back(midpoint(repair.point(whole.a), repair.point(whole.b)));
+    repair.domain.points.push_back(point_on(repair.domain, whole, 0.5));
     repair.point_sources.push_back(next_source++);
+    any_curved = any_curved || !whole.is_straight();
+    if (!whole.is_straight()) continue;
     repair.domain.segments[i] = piece_of(whole, whole.a, middle);
     repair.domain.segments.push_back(piece_of(whole, middle, whole.b));
     repair.segment_sources.push_back(repair.segment_sources[i]);
   }
-  return repair;
+  return any_curved ? cut_curves(std::move(repair)) : std::move(repair);
 }
 
 DomainRepair require_enclosure(DomainRepair repair) {
@@ -179,8 +187,8 @@ DomainRepair require_enclosure(DomainRepair repair) {
   const FreeEnds found = free_ends(repair.domain);
   if (!found.something_enclosed) {
     const int end = found.points.front();
-    throw GeometryError("the segments enclose no area: the boundary is open at point " +
-                            text(repair.source_point(end)) + " " + text(repair.point(end)) + "; close it",
+    throw GeometryError("the segments enclose no area: the boundary is open at point " + repair.point_text(end) + " " +
+                            text(repair.point(end)) + "; close it",
                         {repair.source_point(end)});
   }
   std::vector<bool> ends_crack(repair.domain.points.size(), false);  // tips are no surprise
@@ -188,7 +196,7 @@ DomainRepair require_enclosure(DomainRepair repair) {
     if (s.label_right) ends_crack[static_cast<std::size_t>(s.a)] = ends_crack[static_cast<std::size_t>(s.b)] = true;
   std::vector<std::string> names;
   for (const int v : found.points)
-    if (!ends_crack[static_cast<std::size_t>(v)]) names.push_back("point " + text(repair.source_point(v)));
+    if (!ends_crack[static_cast<std::size_t>(v)]) names.push_back("point " + repair.point_text(v));
   repair.note("kept as inner constraints the chains at", "free end", names);
   return repair;
 }

@@ -28,6 +28,17 @@ void check_target(const std::string& path) {
   }
 }
 
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  return slash == std::string::npos ? "." : path.substr(0, slash + 1);
+}
+
+// Gives the new file the permissions of the one that it replaces.
+void keep_permissions(int descriptor, const std::string& old) {
+  struct stat status {};
+  if (lstat(old.c_str(), &status) == 0 && S_ISREG(status.st_mode)) fchmod(descriptor, status.st_mode & 0777);
+}
+
 int create(const std::string& path) {
   constexpr int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   const int descriptor = open(path.c_str(), flags, 0666);
@@ -43,6 +54,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), temporary_(path +
   buffer_ = std::make_unique_for_overwrite<char[]>(buffer_bytes);
   descriptor_ = create(temporary_);
   if (descriptor_ < 0) fail(std::string("cannot be created: ") + std::strerror(errno));
+  keep_permissions(descriptor_, path);
 }
 
 OutputFile::~OutputFile() {
@@ -118,15 +130,24 @@ void OutputFile::commit(bool sync) {
 
 /// Makes the renaming last too; file systems that cannot sync a folder are let off.
 void OutputFile::sync_folder() const {
-  const std::size_t slash = path_.find_last_of('/');
-  const std::string folder = slash == std::string::npos ? "." : path_.substr(0, slash + 1);
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int descriptor = open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
   fsync(descriptor);
   close(descriptor);
 }
 
 void OutputFile::fail(const std::string& problem) const { throw FileError(path_, 0, problem); }
+
+void check_output(const std::string& path) {
+  check_target(path);
+  struct stat status {};
+  const bool exists = lstat(path.c_str(), &status) == 0;
+  if (exists && S_ISLNK(status.st_mode))
+    throw FileError(path, 0, "is a symbolic link, which would be replaced; name the file it leads to, or remove it");
+  if (exists && access(path.c_str(), W_OK) != 0) throw FileError(path, 0, "is write-protected");
+  if (access(folder_of(path).c_str(), W_OK | X_OK) != 0)
+    throw FileError(path, 0, std::string("cannot be written, its folder: ") + std::strerror(errno));
+}
 
 void write_file(const std::string& path, std::string_view content, bool sync) {
   OutputFile file(path);

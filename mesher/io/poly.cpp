@@ -63,6 +63,7 @@ void read_regions(TextReader& in, Domain& domain) {
 /// nodes: those of the .node file, or the text's own.
 Domain read_after_nodes(TextReader& in, TriangleNodes nodes) {
   Domain domain;
+  domain.first_number = nodes.base;
   read_segments(in, nodes, domain);
   if (!in.at_end()) read_holes(in, domain);
   if (!in.at_end()) read_regions(in, domain);

@@ -8,6 +8,8 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/outline.h"
+#include "mesher/geometry/rounding.h"
+#include "mesher/geometry/segment_path.h"
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
@@ -33,34 +35,65 @@ struct SizedPlaces {
   }
 };
 
-/// Samples the features of a domain.
+/// Samples the features of a domain by its outline; samples of curves lie on them.
 class Sampler {
  public:
-  Sampler(const Domain& domain, double fraction, double h_max);
+  Sampler(const Domain& domain, const Outline& outline, double fraction, double h_max);
   void sample_points();
   void sample_segments();
+  void surround();
   SizedPlaces take() { return std::move(places_); }
 
  private:
   double nearest_isolated(const Point& p) const;
   double feature_size_on(int segment, const Point& p) const;
   void sample(int segment, double from, double to, int depth);
-  void add(const Point& p, double feature_size) { places_.add(p, std::min(fraction_ * feature_size, h_max_)); }
+  Point on_curve(int segment, const Point& p) const;
+  void add(const Point& p, double feature_size) {
+    places_.add(p, std::clamp(fraction_ * feature_size, h_min_, h_max_));
+  }
 
-  const Domain& domain_;
+  const Domain& curved_;
+  const std::vector<int>& sources_;  // of the outline's segments
+  const Domain& domain_;             // the outline
   SegmentTree segments_;
   double fraction_;
+  double h_min_;  // points that are off a segment by rounding
   double h_max_;
   std::vector<Point> isolated_;
   SizedPlaces places_;
 };
 
-Sampler::Sampler(const Domain& domain, double fraction, double h_max)
-    : domain_(domain), segments_(domain), fraction_(fraction), h_max_(h_max) {
-  std::vector<char> is_end(domain.points.size(), 0);
-  for (const Segment& s : domain.segments) is_end[at(s.a)] = is_end[at(s.b)] = 1;
+Sampler::Sampler(const Domain& domain, const Outline& outline, double fraction, double h_max)
+    : curved_(domain),
+      sources_(outline.segments),
+      domain_(outline.domain),
+      segments_(domain_),
+      fraction_(fraction),
+      h_min_(std::min(h_max, std::max(1e3 * rounding_of(domain_.points), 1e-10 * bounding_diagonal(domain_.points)))),
+      h_max_(h_max) {
+  std::vector<char> is_end(domain_.points.size(), 0);
+  for (const Segment& s : domain_.segments) is_end[at(s.a)] = is_end[at(s.b)] = 1;
   for (std::size_t i = 0; i < is_end.size(); ++i)
-    if (is_end[i] == 0) isolated_.push_back(domain.points[i]);
+    if (is_end[i] == 0) isolated_.push_back(domain_.points[i]);
+}
+
+Point Sampler::on_curve(int segment, const Point& p) const {
+  const Segment& source = curved_.segments[at(sources_[at(segment)])];
+  if (source.is_straight()) return p;
+  const Curve& curve = curved_.curves[at(source.curve)];
+  return curve.at(curve.nearest(p));
+}
+
+// Arcs lie outside of what their samples enclose.
+void Sampler::surround() {
+  if (!has_curves(curved_)) return;
+  constexpr double margin = 0.1;
+  const double beyond = margin * bounding_diagonal(domain_.points);
+  const auto [left, right] = std::ranges::minmax(domain_.points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(domain_.points, {}, &Point::y);
+  for (const double x : {left.x - beyond, right.x + beyond})
+    for (const double y : {low.y - beyond, high.y + beyond}) places_.add({x, y}, h_max_);
 }
 
 // Of another place than p.
@@ -92,7 +125,7 @@ void Sampler::sample(int segment, double from, double to, int depth) {
   const Point& a = domain_.points[at(s.a)];
   const Point& b = domain_.points[at(s.b)];
   const double middle = 0.5 * (from + to);
-  const Point p = lerp(a, b, middle);
+  const Point p = on_curve(segment, lerp(a, b, middle));
   const double feature_size = feature_size_on(segment, p);
   add(p, feature_size);
   if (depth == max_depth || (to - from) * norm(b - a) <= std::min(feature_size, 4.0 * h_max_)) return;
@@ -112,9 +145,10 @@ void Sampler::sample_segments() {
     if (std::isfinite(at_end[i])) add(domain_.points[i], at_end[i]);
 }
 
-/// Places on the edges of a mesh between vertices whose sizes differ by much. Sizes grow linearly away from a feature,
-/// but what is interpolated between h and H is sqrt(h H) half-way, far less.
-SizedPlaces places_between(const Mesh& mesh, const std::vector<double>& sizes, double growth) {
+/// Places on the edges of a mesh where sizes may be much larger than what is interpolated between its vertices. Sizes
+/// grow linearly away from a feature, but what is interpolated between h and H is sqrt(h H) half-way, far less, and h
+/// between two features of size h.
+SizedPlaces places_between(const Mesh& mesh, const std::vector<double>& sizes, double growth, double h_max) {
   constexpr double much = 2.5, step = 2.0, alike = 1.4;
   const double slope = std::log(growth);
   SizedPlaces places;
@@ -123,7 +157,6 @@ SizedPlaces places_between(const Mesh& mesh, const std::vector<double>& sizes, d
     const int from = rises ? side.low : side.high;
     const int to = rises ? side.high : side.low;
     const double small = sizes[at(from)], large = sizes[at(to)];
-    if (large <= much * small) continue;
     const Point& a = mesh.points[at(from)];
     const Vector along = mesh.points[at(to)] - a;
     const double length = norm(along);
@@ -131,13 +164,18 @@ SizedPlaces places_between(const Mesh& mesh, const std::vector<double>& sizes, d
       const double share = (size - small) / (slope * length);
       if (share < largest_share) places.add(a + share * along, size);
     };
-    for (double size = step * small; alike * size < large; size *= step) add(size, 0.9);
-    add(large, 0.8);
+    const double peak = 0.5 * (small + large + slope * length);  // where what grows from both ends meets
+    if (std::min(peak, h_max) > much * large) {
+      places.add(a + (peak - small) / (slope * length) * along, std::min(peak, h_max));
+    } else if (large > much * small) {
+      for (double size = step * small; alike * size < large; size *= step) add(size, 0.9);
+      add(large, 0.8);
+    }
   }
   return places;
 }
 
-BackgroundMesh graded(SizedPlaces places, double growth) {
+BackgroundMesh graded(SizedPlaces places, double growth, double h_max) {
   constexpr int most_passes = 20;
   for (int pass = 1;; ++pass) {
     const ConvertedMesh converted = to_mesh(delaunay(places.points).triangulation, {});
@@ -147,7 +185,7 @@ BackgroundMesh graded(SizedPlaces places, double growth) {
     std::vector<double> sizes;
     sizes.reserve(metrics.size());
     for (const Metric& m : metrics) sizes.push_back(1.0 / std::sqrt(m.tensor().xx));
-    const SizedPlaces between = places_between(converted.mesh, sizes, growth);
+    const SizedPlaces between = places_between(converted.mesh, sizes, growth, h_max);
     if (between.points.empty() || pass == most_passes) return {converted.mesh, metrics};
     for (std::size_t i = 0; i < between.points.size(); ++i) places.add(between.points[i], between.sizes[i]);
   }
@@ -159,12 +197,14 @@ BackgroundMesh feature_size_field(const Domain& user_domain, const FeatureSizeOp
   require(options.fraction > 0.0 && options.fraction <= 1.0, "fraction must be positive and 1 at most");
   require(options.growth > 1.0 && std::isfinite(options.growth), "growth must be above 1");
   require(options.h_max >= 0.0 && std::isfinite(options.h_max), "h_max must be positive, or 0");
-  const Domain domain = outline_of(clean(user_domain).domain).domain;
-  Sampler sampler(domain, options.fraction,
-                  options.h_max > 0.0 ? options.h_max : 0.1 * bounding_diagonal(domain.points));
+  const Domain domain = clean(user_domain).domain;
+  const Outline outline = outline_of(domain);
+  const double h_max = options.h_max > 0.0 ? options.h_max : 0.1 * bounding_diagonal(outline.domain.points);
+  Sampler sampler(domain, outline, options.fraction, h_max);
   sampler.sample_segments();
   sampler.sample_points();
-  return graded(sampler.take(), options.growth);
+  sampler.surround();
+  return graded(sampler.take(), options.growth, h_max);
 }
 
 }  // namespace parmesan

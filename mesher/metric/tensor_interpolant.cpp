@@ -91,6 +91,7 @@ TensorInterpolant::Location TensorInterpolant::locate(const Point& p, int start)
     const Point& c = vertex(corners[2]).point;
     const std::array<double, 3> w{doubled_area(p, b, c), doubled_area(a, p, c), doubled_area(a, b, p)};
     const double area = w[0] + w[1] + w[2];
+    if (!(area > 0.0)) return {};  // flat: rounding decides
     const double tolerance = -1e-12 * area;
     if (w[0] >= tolerance && w[1] >= tolerance && w[2] >= tolerance)
       return {triangle, clamped({w[0] / area, w[1] / area, w[2] / area})};

@@ -10,6 +10,7 @@
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/population.h"
 #include "mesher/triangulation/delaunay.h"
+#include "mesher/triangulation/star.h"
 
 namespace parmesan {
 namespace {
@@ -60,17 +61,6 @@ int nearest_mark(const SegmentMeasure& measure, int n, double t) {
 
 double mark_parameter(const SegmentMeasure& measure, int n, int mark) {
   return measure.parameter_at(measure.total() * mark / n);
-}
-
-// The apex of a triangle beside e that hides p from an end of e, so that e cannot be split there; or no_vertex.
-VertexId obstacle_to_split(const Triangulation& mesh, EdgeId e, const Point& p) {
-  for (const EdgeId side : {e, sym(e)}) {
-    if (!mesh.is_inside_left(side)) continue;
-    const VertexId apex = mesh.dest(mesh.onext(side));
-    if (orient2d(mesh.point(mesh.org(side)), p, mesh.point(apex)) <= 0.0) return apex;
-    if (orient2d(p, mesh.point(mesh.dest(side)), mesh.point(apex)) <= 0.0) return apex;
-  }
-  return no_vertex;
 }
 
 // Splits e at a point of its segment. Free particles between a chord and its curve, as a layer has many, are removed:

@@ -4,6 +4,7 @@
 #include "mesher/particles/local_repair.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/star.h"
+#include "mesher/triangulation/star.h"
 
 namespace parmesan {
 namespace {
@@ -56,7 +57,9 @@ bool mend_by_flip(ParticleSystem& particles, EdgeId e) {
 bool mend_by_cut(ParticleSystem& particles, EdgeId e) {
   Triangulation& mesh = particles.mesh();
   const VertexId end = mesh.org(e);
-  const VertexId v = particles.create_on_edge(e, midpoint(mesh.point(end), mesh.point(mesh.dest(e))));
+  const Point middle = midpoint(mesh.point(end), mesh.point(mesh.dest(e)));
+  if (obstacle_to_split(mesh, e, middle) != no_vertex) return false;
+  const VertexId v = particles.create_on_edge(e, middle);
   if (settles(particles, v)) return true;
   mesh.collapse(sym(e));  // e is now the half at its origin
   return false;

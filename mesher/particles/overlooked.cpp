@@ -14,6 +14,7 @@
 #include "mesher/metric/complexity.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/delaunay.h"
+#include "mesher/triangulation/star.h"
 
 namespace parmesan {
 namespace {
@@ -76,7 +77,9 @@ class EdgeSamples {
       for (const double share : shares) {
         const EdgeId e = edge_between(t, from, b);
         if (e == no_edge) break;
-        from = t.split_edge(e, lerp(mesh_.points[at(a)], mesh_.points[at(b)], share));
+        const Point p = lerp(mesh_.points[at(a)], mesh_.points[at(b)], share);
+        if (obstacle_to_split(t, e, p) != no_vertex) continue;
+        from = t.split_edge(e, p);
         legalize_star(t, from);
       }
     }
@@ -130,12 +133,12 @@ double complexity_seen(const Mesh& mesh, const MetricField& field, std::size_t t
 }
 
 /// Whether each triangle holds much more than can be seen of it.
-std::vector<char> overlooked(const Mesh& mesh, const MetricField& field, const std::vector<double>& held, double cell) {
-  constexpr double much_more = 2.0;
+std::vector<char> overlooked(const Mesh& mesh, const MetricField& field, const std::vector<double>& held, double cell,
+                             double times_seen) {
   std::vector<char> result(held.size(), 0);
   MetricHint hint = -1;
   for (std::size_t t = 0; t < held.size(); ++t)
-    if (held[t] > cell) result[t] = held[t] > much_more * complexity_seen(mesh, field, t, hint) + cell ? 1 : 0;
+    if (held[t] > cell) result[t] = held[t] > times_seen * complexity_seen(mesh, field, t, hint) + cell ? 1 : 0;
   return result;
 }
 
@@ -151,7 +154,7 @@ double OverlookedParts::complexity_within(const Mesh& mesh) const {
   return sum;
 }
 
-Mesh OverlookedParts::with_sites(const Mesh& mesh, double scale) const {
+Mesh OverlookedParts::with_sites(const Mesh& mesh, double scale, double times_seen) const {
   const std::vector<FieldSample> samples = field_.samples();
   if (samples.empty()) return mesh;
   const std::vector<std::optional<MeshPlace>> places = places_in(mesh, samples);
@@ -159,7 +162,7 @@ Mesh OverlookedParts::with_sites(const Mesh& mesh, double scale) const {
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (places[i]) held[places[i]->triangle] += samples[i].complexity;
   const double cell = 1.0 / (expected_vertices(1.0) * scale);  // complexity of a vertex on this level
-  const std::vector<char> is_overlooked = overlooked(mesh, field_, held, cell);
+  const std::vector<char> is_overlooked = overlooked(mesh, field_, held, cell, times_seen);
   EdgeSamples on_edges(mesh, domain_, field_);
   std::vector<std::size_t> sites;
   std::vector<double> passed(held.size(), 0.5 * cell);

@@ -15,11 +15,11 @@ class OverlookedParts {
   /// Of the samples within the mesh. Cost: O(n) for n samples.
   double complexity_within(const Mesh& mesh) const;
 
-  /// The mesh with some of the samples as sites: in triangles that hold more than twice the complexity that their
-  /// corners and middle tell of, as many as a unit mesh would have there; on straight edges of the domain, those where
-  /// the metric along the edge is far finer than at the sites around. scale: of the metric's tensors on this level, as
-  /// in ParticleSystem::Level. labels: segments of the domain. Cost: O(n) for n samples.
-  Mesh with_sites(const Mesh& mesh, double scale) const;
+  /// The mesh with some of the samples as sites: in triangles that hold more than so many times the complexity that
+  /// their corners and middle tell of, as many as a unit mesh would have there; on straight edges of the domain, those
+  /// where the metric along the edge is far finer than at the sites around. scale: of the metric's tensors on this
+  /// level, as in ParticleSystem::Level. labels: segments of the domain. Cost: O(n) for n samples.
+  Mesh with_sites(const Mesh& mesh, double scale, double times_seen = 2.0) const;
 
  private:
   const MetricField& field_;

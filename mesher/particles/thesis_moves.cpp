@@ -15,6 +15,7 @@
 #include "mesher/particles/thesis_rules.h"
 #include "mesher/triangulation/delaunay.h"
 #include "mesher/triangulation/sight.h"
+#include "mesher/triangulation/star.h"
 
 namespace parmesan {
 namespace {
@@ -95,26 +96,13 @@ Vector relocate(ParticleSystem& particles, VertexId v, const Vector& step, Reloc
   return {};
 }
 
-namespace {
-
-bool can_split(const Triangulation& t, EdgeId e, const Point& p) {
-  const auto has_room = [&](EdgeId side) {
-    if (!t.is_inside_left(side)) return true;
-    const Point& apex = t.point(t.dest(t.onext(side)));
-    return orient2d(t.point(t.org(side)), p, apex) > 0.0 && orient2d(p, t.point(t.dest(side)), apex) > 0.0;
-  };
-  return has_room(e) && has_room(sym(e));
-}
-
-}  // namespace
-
 VertexId create_at(ParticleSystem& particles, EdgeId e, CreationPlace place) {
   Triangulation& mesh = particles.mesh();
   VertexId v = no_vertex;
   if (place == CreationPlace::Circumcentre && !mesh.is_constrained(e)) v = create_at_circumcentre(particles, e);
   if (v == no_vertex) {
     const Point p = middle_of(particles, e);
-    if (!can_split(mesh, e, p)) return no_vertex;
+    if (obstacle_to_split(mesh, e, p) != no_vertex) return no_vertex;
     v = particles.create_on_edge(e, p);
   }
   legalize_star(mesh, v, MetricInCircle{particles});

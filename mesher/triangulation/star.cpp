@@ -89,6 +89,16 @@ bool stays_convex(const Triangulation& t, EdgeId s, const Point& p) {
 
 }  // namespace
 
+VertexId obstacle_to_split(const Triangulation& t, EdgeId e, const Point& p) {
+  for (const EdgeId side : {e, sym(e)}) {
+    if (!t.is_inside_left(side)) continue;
+    const VertexId apex = t.dest(t.onext(side));
+    if (orient2d(t.point(t.org(side)), p, t.point(apex)) <= 0.0) return apex;
+    if (orient2d(p, t.point(t.dest(side)), t.point(apex)) <= 0.0) return apex;
+  }
+  return no_vertex;
+}
+
 VertexId join_to_hull(Triangulation& t, EdgeId hull_edge, const Point& p) {
   const auto is_visible = [&](EdgeId e) { return orient2d(t.point(t.org(e)), t.point(t.dest(e)), p) > 0.0; };
   EdgeId first = sym(hull_edge);

@@ -10,6 +10,10 @@ namespace parmesan {
 /// them, with the triangulation on its left. All new faces carry region 0. Returns the vertex.
 VertexId join_to_hull(Triangulation& t, EdgeId hull_edge, const Point& p);
 
+/// The apex of a triangle beside e that hides p from an end of e, so that e cannot be split there: p is not, or only to
+/// rounding, on e. no_vertex where there is none.
+VertexId obstacle_to_split(const Triangulation& t, EdgeId e, const Point& p);
+
 /// Takes v, which ends no constraint, out of the triangulation and fills its star by cutting ears
 /// (thesis 2.5.4). On the hull the remaining chain is made convex. Returns the edges to legalize.
 ///

@@ -152,6 +152,26 @@ TEST_CASE("a size that limits forbid is warned of with their names", "[adapt][lo
   CHECK_THAT(run.summary.warnings.front(), Catch::Contains("not the 2500 aimed at") && Catch::Contains("h_min at "));
 }
 
+TEST_CASE("where the largest size asks for more vertices than are aimed at the loop stagnates, and says so",
+          "[adapt][loop]") {
+  Case input = interpolation_case("sin(6*x)*y^2", R"({"vertices": 200})");
+  input.metric.h_max = 0.03;
+  const Summary summary = adapt(input, {}).summary;
+  CHECK(summary.stop_reason == StopReason::Stagnated);
+  CHECK(summary.iterations.size() <= 4);
+  CHECK_FALSE(summary.targets_met);
+  CHECK_THAT(summary.warnings.front(), Catch::Contains("not the 200 aimed at") && Catch::Contains("h_max at "));
+}
+
+TEST_CASE("a largest size does not keep an error target away", "[adapt][loop]") {
+  Case input = interpolation_case("sin(6*x)*y^2", R"({"l2_error": 4e-5, "max_vertices": 20000})");
+  input.metric.h_max = 0.05;  // 600 vertices where 100 are asked for first
+  input.initial_vertices = 100;
+  const Summary summary = adapt(input, {}).summary;
+  CHECK(summary.stop_reason == StopReason::ErrorTarget);
+  CHECK(summary.targets_met);
+}
+
 TEST_CASE("a largest error is aimed at by its estimate where no exact solution is known", "[adapt][loop]") {
   const Case input = parse_case(R"json({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
       "problem": {"source": "2*pi^2*sin(pi*x)*sin(pi*y)", "boundary": {"*": {"dirichlet": 0}}},

@@ -122,6 +122,7 @@ TEST_CASE("check finds what a run would refuse at once, with the same exit code"
   CHECK(checked.exit_code == run.exit_code);
   CHECK(checked.out.empty());
   CHECK_THAT(checked.err, Catch::StartsWith("parmesan: error: " + input + ": "));
+  if (run.exit_code == 3) CHECK_THAT(run.err, Catch::StartsWith("parmesan: error: " + input + ": "));
 }
 
 TEST_CASE("files that cannot be read or written end with 7", "[system][errors]") {

@@ -19,11 +19,13 @@ struct CheckArguments {
 
 // The size the loop is allowed to reach, as far as the case says, and what memory that takes.
 std::string expected_size(const Case& input, const Limits& limits) {
-  const std::int64_t most = input.targets.vertices.value_or(input.targets.max_vertices.value_or(limits.vertices));
+  if (!input.targets.vertices && !input.targets.max_vertices)
+    return "its size will follow from the error (the safety limit is " + std::to_string(limits.vertices) + " vertices)";
+  const std::int64_t most = input.targets.vertices.value_or(input.targets.max_vertices.value_or(0));
   const std::string count = std::to_string(most) + " vertices";
   const std::string memory = "about " + short_number(std::round(expected_memory_mb(input, most)), 6) + " MB";
   if (input.targets.vertices) return "aims at " + count + ", " + memory;
-  return "at most " + count + (input.targets.max_vertices ? ", " : " (the safety limit), ") + memory;
+  return "at most " + count + ", " + memory;
 }
 
 std::string trial_text(const IterationRow& row) {

@@ -8,6 +8,7 @@
 #include "tools/cli/common_options.h"
 #include "tools/cli/escape.h"
 #include "tools/cli/interrupt.h"
+#include "tools/cli/naming_file.h"
 
 namespace parmesan {
 namespace {
@@ -33,7 +34,9 @@ CompareOptions compare_options(const CompareArguments& arguments) {
 
 ExitCode compare(const CompareArguments& arguments) {
   apply(arguments.common);
-  const CompareResult result = compare_case(read_case(arguments.input, arguments.common), compare_options(arguments));
+  const CompareResult result = naming_file(arguments.input.file, [&arguments] {
+    return compare_case(read_case(arguments.input, arguments.common), compare_options(arguments));
+  });
   if (!arguments.common.quiet) {
     std::cout << escape_control(result.table, true) << "written: " << escape_control(result.out_dir)
               << ", to be looked at in its report.html\n";
@@ -50,7 +53,8 @@ Command add_compare_command(CLI::App& program) {
   add_case_options(*app, arguments->input);
   app->add_option("--sizes", arguments->sizes, "Numbers of vertices, ascending [1000,4000,16000,64000]")
       ->delimiter(',')
-      ->check(positive_number())
+      ->allow_extra_args(false)
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))
       ->option_text("N,...");
   add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);

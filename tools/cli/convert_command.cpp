@@ -8,11 +8,13 @@
 #include "mesher/errors.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/io/medit_fields.h"
+#include "mesher/io/output_file.h"
 #include "mesher/io/text.h"
 #include "mesher/io/triangle_files.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/domain_input.h"
+#include "tools/cli/naming_file.h"
 
 namespace parmesan {
 namespace {
@@ -66,16 +68,16 @@ void convert_mesh(const ConvertArguments& arguments) {
 
 ExitCode convert(const ConvertArguments& arguments) {
   apply(arguments.common);
+  check_output(arguments.out);
   if (is_solution(arguments.in) || is_solution(arguments.out)) {
     convert_fields(arguments);
     return ExitCode::Done;
   }
   check_any_mesh_name(arguments.out);
-  if (is_any_domain_file_name(arguments.in)) {
-    convert_geometry(arguments);
-  } else {
+  naming_file(arguments.in, [&arguments] {
+    if (is_any_domain_file_name(arguments.in)) return convert_geometry(arguments);
     convert_mesh(arguments);
-  }
+  });
   return ExitCode::Done;
 }
 

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "adapt/hessian_metric.h"
@@ -13,15 +15,18 @@
 #include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/generate_around.h"
+#include "mesher/geometry/message_text.h"
 #include "mesher/io/boundary_edges.h"
 #include "mesher/io/eps.h"
 #include "mesher/io/evolution.h"
 #include "mesher/io/medit_fields.h"
+#include "mesher/io/output_file.h"
 #include "mesher/io/svg.h"
 #include "mesher/io/text.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/boundary_alignment.h"
 #include "mesher/metric/box_tree.h"
+#include "mesher/metric/complexity.h"
 #include "mesher/metric/feature_size.h"
 #include "mesher/metric/metric_samples.h"
 #include "mesher/metric/tensor_interpolant.h"
@@ -31,6 +36,7 @@
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/domain_input.h"
+#include "tools/cli/naming_file.h"
 #include "tools/cli/particle_options.h"
 #include "tools/cli/results.h"
 
@@ -86,12 +92,25 @@ std::vector<double> read_indicators(const std::string& path) {
   return found.front().values;
 }
 
+/// Tells of a number of vertices that sizes which change so much at most do not come to.
+void warn_of_limited_change(const Mesh& background, std::span<const Metric> metrics, const IndicatorRequest& request) {
+  constexpr double much = 0.03;
+  const double reached = complexity(background, metrics);
+  if (std::abs(reached - request.complexity) <= much * request.complexity) return;
+  print_warning("sizes change by a factor of " + format_number(request.max_change) +
+                " from the background's at most, which gives about " +
+                std::to_string(std::llround(expected_vertices(reached))) + " vertices, not the " +
+                std::to_string(std::llround(expected_vertices(request.complexity))) + " asked for");
+}
+
 std::vector<Metric> read_metrics(const Mesh& background, const MeshArguments& arguments) {
   if (arguments.indicator.empty()) return read_metric_file(arguments.metric, background.num_vertices());
   const IndicatorRequest request{.order = arguments.order,
                                  .complexity = complexity_for_vertices(static_cast<double>(arguments.vertices))};
   try {
-    return metric_from_indicators(background, read_indicators(arguments.indicator), request);
+    std::vector<Metric> metrics = metric_from_indicators(background, read_indicators(arguments.indicator), request);
+    warn_of_limited_change(background, metrics, request);
+    return metrics;
   } catch (const FileError&) {
     throw;
   } catch (const InputError& error) {
@@ -121,9 +140,8 @@ void warn_beyond(const Domain& domain, const Mesh& background) {
   const Point& farthest = *std::ranges::max_element(domain.points, {}, distance2);
   const double distance = std::sqrt(distance2(farthest));
   if (!(distance > much * norm(box.high - box.low))) return;
-  print_warning("the geometry reaches beyond the background, by about " + format_number(distance, 2) + " at (" +
-                format_number(farthest.x, 4) + ", " + format_number(farthest.y, 4) +
-                "): there the metric of the nearest place holds");
+  print_warning("the geometry reaches beyond the background, by about " + format_number(distance, 2) + " at " +
+                rounded_text(farthest) + ": there the metric of the nearest place holds");
 }
 
 // Without triangles it is a cloud of samples.
@@ -136,16 +154,21 @@ Mesh read_background(const std::string& path) {
 // The background mesh is often the previous one: then it is read only once.
 Inputs read_inputs(const MeshArguments& arguments, const Domain& domain) {
   Inputs inputs;
-  if (!arguments.from.empty()) inputs.previous = read_valid_mesh(arguments.from);
+  if (!arguments.from.empty()) {
+    const auto read = [&arguments] { return read_valid_mesh(arguments.from); };
+    inputs.previous = naming_file(arguments.from, read);
+  }
   if (arguments.size) {
     inputs.field = std::make_unique<ConstantField>(Metric::isotropic(*arguments.size));
   } else if (arguments.background.empty()) {
-    inputs.field = std::make_unique<BackgroundMesh>(feature_size_field(domain));
+    inputs.field =
+        naming_file(arguments.geometry, [&] { return std::make_unique<BackgroundMesh>(feature_size_field(domain)); });
   } else if (arguments.background == arguments.from) {
     read_fields(*inputs.previous, arguments, inputs);
     warn_beyond(domain, *inputs.previous);
   } else {
-    const Mesh background = read_background(arguments.background);
+    const Mesh background =
+        naming_file(arguments.background, [&arguments] { return read_background(arguments.background); });
     read_fields(background, arguments, inputs);
     warn_beyond(domain, background);
   }
@@ -177,8 +200,8 @@ bool holds(const std::string& name, double value, double least) {
 bool meets(const Mesh& mesh, const MeshQuality& quality, const Requirements& requirements) {
   const Point worst = worst_place(mesh, quality);
   const bool unit = holds("the share of unit edges", quality.unit_edges, requirements.unit_edges);
-  const std::string place = " at (" + format_number(worst.x, 6) + ", " + format_number(worst.y, 6) + ")";
-  return holds("the lowest quality," + place + ",", quality.quality_min, requirements.quality) && unit;
+  return holds("the lowest quality, at " + rounded_text(worst) + ",", quality.quality_min, requirements.quality) &&
+         unit;
 }
 
 // As a picture the cells' outlines are enough.
@@ -205,17 +228,25 @@ GenerateResult generated(const MeshArguments& arguments, const GeometryInput& ge
 
 ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
-  for (const std::string& output : arguments.outputs) check_any_mesh_name(output);
-  for (const std::string& output : arguments.voronoi) check_any_mesh_name(output);
+  for (const std::vector<std::string>* outputs : {&arguments.outputs, &arguments.voronoi}) {
+    for (const std::string& output : *outputs) {
+      check_any_mesh_name(output);
+      check_output(output);
+    }
+  }
   if (!arguments.background.empty() && arguments.metric.empty() && arguments.indicator.empty()) {
     print_error("--background requires --metric or --indicator");
     return ExitCode::Usage;
   }
-  const GeometryInput geometry = read_geometry_to_mesh(arguments.geometry, arguments.repair, arguments.frozen);
+  const GeometryInput geometry = naming_file(arguments.geometry, [&arguments] {
+    return read_geometry_to_mesh(arguments.geometry, arguments.repair, arguments.frozen);
+  });
   Inputs inputs = read_inputs(arguments, geometry.domain);
   std::optional<EvolutionWriter> evolution;
   if (!arguments.evolution.empty()) evolution.emplace(arguments.evolution);
-  const GenerateResult result = generated(arguments, geometry, inputs, generate_options(arguments, inputs, evolution));
+  const GenerateResult result = naming_file(arguments.geometry, [&] {
+    return generated(arguments, geometry, inputs, generate_options(arguments, inputs, evolution));
+  });
   print_warnings(result.report.warnings);
   if (arguments.common.verbose) std::cerr << "complexity " << format_number(result.report.complexity) << std::endl;
   for (const std::string& output : arguments.outputs) write_any_mesh(output, result.mesh);
@@ -275,6 +306,7 @@ void add_metric_options(CLI::App& app, MeshArguments& arguments) {
   app.add_option("--freeze", arguments.frozen,
                  "Regions of GEOMETRY, a mesh, whose triangles stay as they are, as do those that it requires (Medit)")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->option_text("REGION,...");
 }
 
@@ -287,6 +319,8 @@ void add_mesher_options(CLI::App& app, MeshArguments& arguments) {
          },
          "Exit with 9 unless met: unit=SHARE,quality=MIN")
       ->delimiter(',')
+      ->take_all()
+      ->allow_extra_args(false)
       ->option_text("NAME=X,...");
 }
 

@@ -10,6 +10,7 @@
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/histogram_text.h"
+#include "tools/cli/naming_file.h"
 #include "tools/cli/results.h"
 
 namespace parmesan {
@@ -39,7 +40,7 @@ std::vector<double> length_bounds(const Assessment& assessment) {
 
 Assessment assess(const QualityArguments& arguments) {
   Assessment result;
-  result.mesh = read_valid_mesh(arguments.mesh);
+  result.mesh = naming_file(arguments.mesh, [&arguments] { return read_valid_mesh(arguments.mesh); });
   result.in_metric = !arguments.metric.empty();
   result.quality = result.in_metric
                        ? measure_quality(result.mesh, read_metric_file(arguments.metric, result.mesh.num_vertices()))

@@ -2,9 +2,11 @@
 #include <memory>
 
 #include "adapt/report/report.h"
+#include "mesher/io/output_file.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/escape.h"
+#include "tools/cli/exit_code.h"
 
 namespace parmesan {
 namespace {
@@ -18,8 +20,9 @@ struct ReportArguments {
 ExitCode report(const ReportArguments& arguments) {
   apply(arguments.common);
   std::string path = arguments.out;
+  if (!path.empty()) check_output(path);
   if (path.empty()) path = arguments.folders.size() == 1 ? arguments.folders.front() + "/report.html" : "report.html";
-  write_report(path, arguments.folders);
+  for (const std::string& missing : write_report(path, arguments.folders)) print_warning(missing);
   if (!arguments.common.quiet) std::cout << "written: " << escape_control(path) << "\n";
   return ExitCode::Done;
 }

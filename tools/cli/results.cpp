@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <ostream>
 
+#include "adapt/number_text.h"
 #include "tools/cli/escape.h"
 
 namespace parmesan {
@@ -87,12 +87,7 @@ std::string_view words(Start start) {
 
 }  // namespace
 
-std::string format_number(double value, int digits) {
-  std::array<char, 64> buffer{};
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
-  return {buffer.data(), end.ptr};
-}
+std::string format_number(double value, int digits) { return short_number(value, digits); }
 
 void print_summary(std::ostream& out, const RunResult& result) {
   const Summary& summary = result.summary;

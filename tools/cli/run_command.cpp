@@ -5,6 +5,7 @@
 #include "tools/cli/case_options.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/interrupt.h"
+#include "tools/cli/naming_file.h"
 #include "tools/cli/results.h"
 
 namespace parmesan {
@@ -34,7 +35,9 @@ RunOptions run_options(const RunArguments& arguments) {
 
 ExitCode run(const RunArguments& arguments) {
   apply(arguments.common);
-  const RunResult result = run_case(read_case(arguments.input, arguments.common), run_options(arguments));
+  const RunResult result = naming_file(arguments.input.file, [&arguments] {
+    return run_case(read_case(arguments.input, arguments.common), run_options(arguments));
+  });
   for (const std::string& warning : result.summary.warnings) print_warning(warning);
   if (!arguments.common.quiet) print_summary(std::cout, result);
   if (arguments.verify && !all_passed(std::cout, result.verdicts)) return ExitCode::TargetMissed;

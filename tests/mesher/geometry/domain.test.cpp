@@ -136,11 +136,13 @@ TEST_CASE("clean drops repeated, reversed and zero-length segments, and the firs
   Domain domain = square();
   domain.segments.push_back({1, 0, 9});
   domain.segments.push_back({2, 2, 9});
-  domain.segments.push_back({1, 2, 2});
+  domain.segments.push_back({1, 2, 2, 7, true});
   const CleanDomain cleaned = clean(domain);
   CHECK(ends_of(cleaned.domain) == ends_of(square()));
+  CHECK(cleaned.domain.segments[1].required);
   CHECK_THAT(all_repairs(cleaned), Contains("1 zero-length segment: 5") && Contains("2 repeated segments") &&
-                                       Contains("4 lies on 0, whose label 1 beats 9") && Contains("6 lies on 1"));
+                                       Contains("4 lies on 0, whose label 1 beats 9") &&
+                                       Contains("6 lies on 1, which is no crack"));
 }
 
 TEST_CASE("clean splits segments at the points inside them, in order and with their label", "[mesher][domain]") {
