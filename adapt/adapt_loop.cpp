@@ -184,9 +184,22 @@ class Loop {
     if (goal_.error_targets && state_.history.back().error <= 1.0 && is_smaller) state_.met = state_.last;
   }
 
+  // Whether the error that was said to meet the targets was an estimate which a later mesh, at least as large, does not
+  // bear out.
+  bool is_refuted() const {
+    const IterationRow& last = state_.summary.iterations.back();
+    if (case_.interpolation || last.solution_error || (last.goal && last.goal->error)) return false;
+    const auto vertices = static_cast<double>(state_.met->mesh.num_vertices());
+    const auto is_met = [](const SizeStep& s) { return s.error <= 1.0; };
+    const auto later =
+        std::ranges::find_if(state_.history, [&](const SizeStep& s) { return is_met(s) && s.vertices == vertices; });
+    return std::any_of(later, state_.history.end(),
+                       [&](const SizeStep& s) { return !is_met(s) && s.vertices >= vertices; });
+  }
+
   // A smaller mesh may miss what a larger one before it has met. True: the last row is that one's again.
   bool return_to_met() {
-    if (!state_.met || state_.is_met) return false;
+    if (!state_.met || state_.is_met || is_refuted()) return false;
     if (state_.history.back().error <= 1.0 && state_.last.mesh.num_vertices() <= state_.met->mesh.num_vertices())
       return false;
     state_.last = *state_.met;

@@ -119,6 +119,15 @@ std::optional<Expression> CaseReading::expression(const Json& value, const std::
 namespace {
 
 // Whether the domain can be meshed is not looked at.
+/// Point sources make u infinite there, of infinite H1 norm.
+void refuse_infinite_errors(CaseReading& reading, const Case& result) {
+  if (result.problem.point_sources.empty()) return;
+  const char* why =
+      "the solution is infinite at point sources, and so is this error; aim at 'l2_error' or 'goal_error'";
+  if (result.targets.h1_error) reading.issues.add("/targets/h1_error", why);
+  if (result.targets.linf_error) reading.issues.add("/targets/linf_error", why);
+}
+
 Case parse_unclean(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
   CaseReading reading;
   reading.document = load_document(text, file, overrides, reading.issues);
@@ -133,6 +142,7 @@ Case parse_unclean(const std::string& text, const std::string& file, const std::
   read_problem_section(reading, geometry ? &*geometry : nullptr, result);
   read_functionals_section(reading, geometry ? &*geometry : nullptr, result);
   read_option_sections(reading, result);
+  refuse_infinite_errors(reading, result);
   if (!reading.issues.empty()) throw CaseError(file, place_issues(reading.document, reading.issues));
   result.domain = geometry->domain;
   result.required_regions = geometry->required_regions;

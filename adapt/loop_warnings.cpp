@@ -74,9 +74,10 @@ std::optional<std::string> of_size(const IterationRow& last, std::optional<std::
 }
 
 // Of errors that cannot fall further.
-std::optional<std::string> of_smallest_size(const IterationRow& last, bool limits_bind) {
+std::optional<std::string> of_smallest_size(const IterationRow& last, bool limits_bind, StopReason reason) {
   const std::string limits = limits_text(last.clipped, true);
-  if (!limits_bind || limits.empty()) return std::nullopt;
+  const bool keeps_away = limits_bind || (reason == StopReason::Stagnated && limits_most(last, true));
+  if (!keeps_away || limits.empty()) return std::nullopt;
   return "limits forbid smaller triangles: " + limits;
 }
 
@@ -97,6 +98,16 @@ std::optional<std::string> of_unresolved(const IterationRow& last) {
   return "the last mesh may not resolve the data: its residuals tell of an H1 error of " +
          short_number(*last.residual_h1, 3) + ", the recovered gradient of " +
          short_number(last.estimated_error->h1, 3);
+}
+
+// Where the error is known, and the equations tell of a much smaller one.
+std::optional<std::string> of_contradiction(const IterationRow& last) {
+  constexpr double far_below = 0.1;
+  if (!last.solution_error || !last.estimated_error) return std::nullopt;
+  const double error = last.solution_error->l2, estimate = last.estimated_error->l2;
+  if (!(estimate < far_below * error)) return std::nullopt;
+  return "the L2 error is " + short_number(error, 3) + ", its estimate " + short_number(estimate, 3) +
+         ": the source, the boundary data or the coefficients may belong to another solution than 'exact'";
 }
 
 // Of a correction that was asked for.
@@ -130,7 +141,7 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
     if (warning) warnings.push_back(std::move(*warning));
   };
   add(of_size(last, aimed, reason));
-  if (!aimed) add(of_smallest_size(last, limits_bind));
+  if (!aimed) add(of_smallest_size(last, limits_bind, reason));
   if (!satisfies_metric(last.diagnosis)) {
     for (std::string& sentence : sentences(last.diagnosis)) warnings.push_back(std::move(sentence));
   }
@@ -138,6 +149,7 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   add(of_constants(last));
   add(of_nonfinite(last));
   add(of_unresolved(last));
+  add(of_contradiction(last));
   add(of_correction(last));
   return warnings;
 }

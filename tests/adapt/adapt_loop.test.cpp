@@ -172,6 +172,37 @@ TEST_CASE("a largest size does not keep an error target away", "[adapt][loop]") 
   CHECK(summary.targets_met);
 }
 
+TEST_CASE("a mesh without a free vertex meets no target, and tells of no error", "[adapt][loop]") {
+  const auto thin = [](const std::string& targets) {
+    return parse_case(R"({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1e-2]}},
+        "problem": {"source": 1, "boundary": {"*": {"dirichlet": 0}}}, "targets": )" +
+                          targets + "}",
+                      "test.json");
+  };
+  const Summary met = adapt(thin(R"({"l2_error": 1e-6, "max_vertices": 20000})"), {}).summary;
+  CHECK(met.stop_reason == StopReason::ErrorTarget);
+  CHECK(met.iterations.back().solve_report->maximum == Approx(1.25e-5).epsilon(0.2));  // h^2 / 8
+  const Summary blind = adapt(thin(R"({"vertices": 40, "max_iterations": 3})"), {}).summary;
+  CHECK(std::isnan(blind.iterations.back().estimated_error->l2));
+  CHECK(
+      std::ranges::any_of(blind.warnings, [](const std::string& w) { return w.starts_with("no vertex of the last"); }));
+}
+
+TEST_CASE("data of another solution than the exact one are warned of", "[adapt][loop]") {
+  const auto is_warned_of = [](const std::string& flux) {
+    const Case input = parse_case(R"({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+        "problem": {"exact": "sin(x)*y", "boundary": {"left": {"neumann": ")" +
+                                      flux + R"("}, "*": {"dirichlet": "exact"}}},
+        "targets": {"vertices": 1000}})",
+                                  "test.json");
+    return std::ranges::any_of(adapt(input, {}).summary.warnings, [](const std::string& w) {
+      return w.find("may belong to another solution") != std::string::npos;
+    });
+  };
+  CHECK(is_warned_of("y"));
+  CHECK_FALSE(is_warned_of("-y"));
+}
+
 TEST_CASE("a largest error is aimed at by its estimate where no exact solution is known", "[adapt][loop]") {
   const Case input = parse_case(R"json({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
       "problem": {"source": "2*pi^2*sin(pi*x)*sin(pi*y)", "boundary": {"*": {"dirichlet": 0}}},

@@ -227,6 +227,18 @@ TEST_CASE("a crack alone gets a point in its middle, so that it opens", "[mesher
   check_valid(delaunay_mesh(domain).mesh, domain, 1.0);
 }
 
+TEST_CASE("so does one along a curve", "[mesher][cracks][curves]") {
+  Domain domain;
+  support::add_polygon(domain, {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, 1);
+  domain.points.insert(domain.points.end(), {{1, 0}, {-1, 0}});
+  domain.curves.push_back(circular_arc({0.0, 0.0}, 1.0, 0.0, M_PI));
+  domain.segments.push_back({4, 5, 2, 3, false, 0});
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(3.0))).mesh;
+  CHECK(std::ranges::count(mesh.labels, 2) == std::ranges::count(mesh.labels, 3));
+  CHECK(std::ranges::count(mesh.labels, 2) >= 2);
+  CHECK(has_cracks(mesh));
+}
+
 TEST_CASE("the tips of cracks are no repairs", "[mesher][cracks]") {
   Domain domain = support::unit_square();
   domain.points.insert(domain.points.end(), {{0.3, 0.5}, {0.5, 0.5}});

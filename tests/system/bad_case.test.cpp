@@ -56,6 +56,12 @@ std::vector<BadCase> bad_cases() {
        3,
        {"(2, 0.5)", "outside"}},
       {"crossing segments", bow_tie(), 4, {"0.5"}},
+      {"infinite error as a target",
+       R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}, "problem": {"point_sources": [{"at": [0.5, 0.5],
+           "strength": 1}], "boundary": {"*": {"dirichlet": 0}}}, "targets": {"h1_error": 0.1}})",
+       3,
+       {"/targets/h1_error", "infinite at point sources"}},
+      {"data too large to be squared", poisson(fixed), 3, {"the solution reaches"}, {"--set", "/problem/source=1e300"}},
       {"aim beyond the safety limit", poisson(fixed), 8, {"vertices"}, {"--limit", "vertices=50"}},
   };
 }

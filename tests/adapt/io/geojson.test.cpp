@@ -92,6 +92,25 @@ TEST_CASE("Features whose rings cross are refused, or split there", "[adapt][io]
   CHECK(area(mesh, 2) == Approx(9.0).epsilon(1e-14));
 }
 
+TEST_CASE("Rings that share sides enclose what an odd number of them does", "[adapt][io][geojson]") {
+  std::string cells;
+  for (int i = 0; i < 9; ++i) {
+    const auto at = [i](int dx, int dy) {
+      return "[" + std::to_string(i % 3 + dx) + "," + std::to_string(i / 3 + dy) + "]";
+    };
+    cells +=
+        (i > 0 ? ",[[" : "[[") + at(0, 0) + "," + at(1, 0) + "," + at(1, 1) + "," + at(0, 1) + "," + at(0, 0) + "]]";
+  }
+  CHECK(area_of(R"({"type":"MultiPolygon","coordinates":[)" + cells + "]}") == Approx(9.0).epsilon(1e-14));
+  const std::string notch = "[[1,0],[2,0],[2,1],[1,1],[1,0]]";
+  CHECK(area_of(polygon(square + "," + notch)) == Approx(15.0).epsilon(1e-14));
+  CHECK(area_of(feature("named", polygon(square + "," + notch))) == Approx(15.0).epsilon(1e-14));
+  const std::string other = feature("other", polygon("[[5,0],[6,0],[6,1],[5,1],[5,0]]"));
+  CHECK(area_of(collection(feature("notched", polygon(square + "," + notch)) + "," + other)) ==
+        Approx(16.0).epsilon(1e-14));
+  CHECK_THROWS_AS(parse(polygon(square + "," + square)), parmesan::GeometryError);
+}
+
 TEST_CASE("The only feature gives the region its name, and sides theirs", "[adapt][io][geojson]") {
   const Domain domain = parse(collection(feature("lake", polygon(square))));
   CHECK(domain.region_names == parmesan::LabelNames{{0, "lake"}});

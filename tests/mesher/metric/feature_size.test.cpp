@@ -7,6 +7,7 @@
 #include "mesher/generate.h"
 #include "mesher/quality.h"
 #include "tests/oracle/mesh_checker.h"
+#include "tests/support/curved_domains.h"
 #include "tests/support/domains.h"
 
 using namespace parmesan;
@@ -62,6 +63,40 @@ TEST_CASE("a tiny feature takes a few vertices for each factor of two in size", 
   }
   CHECK(counts[0] < 300);
   CHECK(counts[1] - counts[0] == Approx(counts[2] - counts[1]).epsilon(0.25));
+}
+
+TEST_CASE("inside of a polygon with many short sides sizes grow", "[mesher][metric]") {
+  Domain domain;
+  std::vector<Point> points;
+  for (int k = 0; k < 400; ++k) points.push_back({std::cos(k * M_PI / 200.0), std::sin(k * M_PI / 200.0)});
+  support::add_polygon(domain, points, 1);
+  const BackgroundMesh field = feature_size_field(domain);
+  CHECK(size_at(field, {1.0, 0.0}) == Approx(M_PI / 400.0).epsilon(0.01));
+  CHECK(size_at(field, {0.0, 0.0}) > 0.2);
+  const GenerateResult made = generate(domain, field);
+  CHECK(made.mesh.num_vertices() < 4000);  // 57 000 of equal size
+  CHECK(measure_quality(made.mesh, made.metrics).quality_min > 0.5);
+}
+
+TEST_CASE("a thin ring has sizes from its width, as far as its circles go", "[mesher][metric]") {
+  constexpr double width = 0.01;
+  Domain domain = support::disc(1.0);
+  support::add_closed_curve(domain, support::circle({0.0, 0.0}, 1.0 - width), 2);
+  domain.holes.push_back({0.0, 0.0});
+  const GenerateResult made = generate(domain, feature_size_field(domain));
+  CHECK(made.mesh.num_vertices() == Approx(2.0 * 2.0 * M_PI / (0.5 * width) * 1.6).epsilon(0.2));
+  CHECK(measure_quality(made.mesh, made.metrics).unit_edges > 0.99);
+}
+
+TEST_CASE("a point that is off a segment by rounding is no feature to be resolved", "[mesher][metric]") {
+  Domain domain;
+  support::add_polygon(domain, {{0, 0}, {3, 0}, {3, 3}, {0, 3}}, 1);
+  domain.points.insert(domain.points.end(), {{0.3, 0.1}, {2.7, 0.9}, {0.9, 0.30000000000000004}});
+  domain.segments.push_back({4, 5, 2});
+  domain.segments.push_back({6, 3, 3});
+  const GenerateResult made = generate(domain, feature_size_field(domain));
+  CHECK(oracle::problems_of(made.mesh) == std::vector<std::string>{});
+  CHECK(made.mesh.num_vertices() < 3000);
 }
 
 TEST_CASE("options out of range are refused", "[mesher][metric][errors]") {

@@ -67,6 +67,24 @@ TEST_CASE("a spot between the vertices of a coarse mesh is found", "[mesher][ove
   CHECK(quality.quality_min > 0.3);
 }
 
+TEST_CASE("a spot that corners and middles half see is meshed all the same", "[mesher][overlooked]") {
+  const auto size = [](const Point& p) {  // 0.025 in the middle, 2 at the corners
+    return Metric::isotropic(0.025 * std::exp(4.4 * std::min(1.0, 4.0 * squared_norm(p - Point{0.5, 0.5}))));
+  };
+  const double scale = GENERATE(1.0, 1.3, 1.7, 2.2);
+  std::vector<Point> points;
+  std::vector<Metric> metrics;
+  for (int i = 0; i <= 30; ++i)
+    for (int j = 0; j <= 30; ++j) {
+      points.push_back({i / 30.0, j / 30.0});
+      metrics.push_back(size(points.back()).scaled(1.0 / (scale * scale)));
+    }
+  const GenerateResult made = generate(support::unit_square(), background_of_samples(points, metrics));
+  double asked = 0.0;
+  for (const Metric& m : metrics) asked += m.density() / 900.0;
+  CHECK(made.mesh.num_vertices() > 0.8 * expected_vertices(asked));
+}
+
 TEST_CASE("a layer between the vertices of a coarse mesh is found, on the boundary too", "[mesher][overlooked]") {
   double length = 0.0;  // of the lower side
   for (double x = 0.0; x < 1.0; x += 1e-6) length += 1e-6 / across(x);
