@@ -161,9 +161,11 @@ Relaxed mesh_from_scratch(const Domain& domain, const MetricField& field, Scratc
                           const FastScheduleOptions& effort, const GenerateOptions& options) {
   constexpr double most = 0.7;
   Relaxed relaxed = mesh_in_levels(domain, field, start, effort, options);
-  if (integrate_complexity(relaxed.mesh, relaxed.metrics) >= most * start.held) return relaxed;
+  const double by_metric = integrate_complexity(relaxed.mesh, relaxed.metrics);  // large if one vertex sees the spot
+  const double by_vertices = relaxed.mesh.num_vertices() / expected_vertices(1.0);
+  if (std::min(by_metric, by_vertices) >= most * start.held) return relaxed;
   const std::size_t num_sites = start.mesh.points.size();
-  start.mesh = start.overlooked.with_sites(start.mesh, scale_of(coarser_levels(start.expected_vertices)), 1.0);
+  start.mesh = start.overlooked.with_sites(start.mesh, scale_of(coarser_levels(start.expected_vertices)), 0.0);
   return start.mesh.points.size() == num_sites ? relaxed : mesh_in_levels(domain, field, start, effort, options);
 }
 
