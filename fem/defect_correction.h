@@ -7,6 +7,9 @@
 
 namespace parmesan {
 
+/// Of a correction that is to be believed its last step changes no larger share.
+inline constexpr double largest_change_trusted = 1.0 / 3.0;
+
 /// Nodal values of a Galerkin solution and what it lacks of the exact one at the vertices, I u - u_h.
 struct CorrectedValues {
   std::vector<double> values;    // n

@@ -33,6 +33,18 @@ double integral_of_square(double area, const LocalError& e) {
   return area * sum;
 }
 
+/// Of |grad e|^2, by the edge midpoints.
+double integral_of_squared_gradient(const P1Element& element, const LocalError& e) {
+  const Vector linear = p1_gradient(element, e.corner);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Barycentric middle{0.5, 0.5, 0.5};
+    middle[i] = 0.0;
+    sum += squared_norm(linear + e.quadratic.gradient(element, middle));
+  }
+  return element.area / 3.0 * sum;
+}
+
 /// Largest |e| on the side opposite to a corner: at its ends, or where the derivative along it vanishes.
 double largest_on_side(const LocalError& e, std::size_t corner) {
   const double from = e.corner[(corner + 1) % 3];
@@ -65,15 +77,18 @@ double largest(const LocalError& e) {
 }  // namespace
 
 EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std::span<const double> nodal) {
-  double squares = 0.0;
+  double squares = 0.0, squared_gradients = 0.0;
   EstimatedError result;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const LocalError error{.corner = at_corners(mesh, t, nodal), .quadratic = {surplus[t]}};
-    squares += integral_of_square(p1_element(mesh, static_cast<int>(t)).area, error);
+    const P1Element element = p1_element(mesh, static_cast<int>(t));
+    squares += integral_of_square(element.area, error);
+    squared_gradients += integral_of_squared_gradient(element, error);
     const double most = largest(error);
     if (!(most <= result.linf)) result.linf = most;  // NaN stays
   }
   result.l2 = std::sqrt(squares);
+  result.h1 = std::sqrt(squared_gradients);
   return result;
 }
 

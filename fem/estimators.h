@@ -14,7 +14,7 @@ struct EstimatedError {
   double linf = 0.0;
 };
 
-/// L2 norm and maximum of the error that has this surplus, and these values at the vertices.
+/// L2 norm, H1 seminorm and maximum of the error that has this surplus, and these values at the vertices.
 EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std::span<const double> nodal);
 
 /// H1 seminorm of the difference between recovered gradients and those of the P1 function with these values, which

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fem/defect_correction.h"
 #include "fem/discrete_problem.h"
 #include "fem/problem.h"
 #include "fem/solution_bounds.h"
@@ -36,7 +37,7 @@ struct SolveReport {
   SolutionBounds bounds;  // of the exact solution, where the maximum principle gives them
 
   /// Whether the steps of defect correction converge; else the values are Galerkin's.
-  bool correction_converges() const { return correction_change <= 1.0 / 3.0; }
+  bool correction_converges() const { return correction_change <= largest_change_trusted; }
 
   /// By how much the nodal values exceed the bounds; 0 without bounds.
   double overshoot() const { return bounds.upper && maximum > *bounds.upper ? maximum - *bounds.upper : 0.0; }
