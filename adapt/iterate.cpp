@@ -113,14 +113,14 @@ void solve_on(const Mesh& mesh, const Case& input, const Iterate* previous, Iter
   DiscreteProblem discrete(mesh, input.problem);
   Solution solution = solve(discrete, guess);
   require_range(solution.values);
+  iterate.seconds.solve = watch.seconds();
+  iterate.seconds.cpu += watch.cpu_seconds();
+  watch = {};
+  iterate.estimated_error = estimate_error(discrete, solution);
   iterate.values = std::move(solution.values);
   iterate.residual = std::move(solution.residual);
   iterate.fluxes = std::move(solution.fluxes);
   iterate.solve_report = std::move(solution.report);
-  iterate.seconds.solve = watch.seconds();
-  iterate.seconds.cpu += watch.cpu_seconds();
-  watch = {};
-  iterate.estimated_error = estimate_error(discrete, iterate.values);
   take_means_of_exact(input, discrete, iterate);
   iterate.seconds.measure = watch.seconds();
 }

