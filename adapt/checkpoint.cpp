@@ -82,7 +82,7 @@ void fields(Archive& archive, SolveReport& r) {
 template <class Archive>
 void fields(Archive& archive, Iterate& i) {
   archive(i.mesh, i.relaxed, i.metrics, i.values, i.residual, i.dual, i.complexity, i.clipped, i.report, i.solve_report,
-          i.fluxes, i.estimated_error, i.seconds);
+          i.fluxes, i.estimated_error, i.goal_error, i.seconds);
 }
 
 template <class Archive>
@@ -144,7 +144,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Bytes in another order or another layout of the fields have another number here.
-constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'07;
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'08;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
 
 void check_mesh(const Mesh& mesh) {

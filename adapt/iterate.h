@@ -32,6 +32,7 @@ struct Iterate {
   std::optional<SolveReport> solve_report;        // absent for an interpolant
   std::map<int, double> fluxes;                   // of the solution out through each label
   std::optional<EstimatedError> estimated_error;  // of the solution
+  std::optional<double> goal_error;  // J(u) - J(u_h) by the error that was found, where there are singular vertices
   StageSeconds seconds;
 };
 

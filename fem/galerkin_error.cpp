@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
+#include "fem/boundary_flux.h"
 #include "fem/defect_correction.h"
 #include "fem/nodal_correction.h"
 #include "fem/recovery.h"
@@ -15,46 +18,51 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Where plain steps grow, near a resonance, accelerated ones that converge tell the error.
-EstimatedError by_correction(DiscreteProblem& discrete, std::span<const double> values) {
-  const CorrectedValues corrected = correct_defect(discrete, values);
-  if (!(corrected.change <= largest_change_trusted)) return {.l2 = unknown, .h1 = unknown, .linf = unknown};
+ErrorEstimate by_correction(DiscreteProblem& discrete, std::span<const double> values) {
+  CorrectedValues corrected = correct_defect(discrete, values);
+  if (!(corrected.change <= largest_change_trusted))
+    return {{.l2 = unknown, .h1 = unknown, .linf = unknown}, std::nullopt};
   const Mesh& parts = discrete.parts.mesh();
   const std::vector<double> u = discrete.parts.spread(corrected.values);
-  std::vector<double> missing = corrected.values;
-  for (std::size_t v = 0; v < values.size(); ++v) missing[v] -= values[v];
+  ErrorField field{.nodal = std::move(corrected.values), .surplus = {}, .residual = std::move(corrected.residual)};
+  for (std::size_t v = 0; v < values.size(); ++v) field.nodal[v] -= values[v];
   const std::vector<Vector> gradients = recover_gradients(parts, u);
-  EstimatedError result = error_of(discrete.mesh, surpluses(parts, u, gradients), missing);
-  result.h1 = std::max(result.h1, gradient_error(parts, discrete.parts.spread(values), gradients));
-  return result;
+  field.surplus = surpluses(parts, u, gradients);
+  EstimatedError norms = error_of(discrete.mesh, field.surplus, field.nodal);
+  norms.h1 = std::max(norms.h1, gradient_error(parts, discrete.parts.spread(values), gradients));
+  return {norms, std::move(field)};
 }
 
 }  // namespace
 
-EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double> values) {
+ErrorEstimate estimate_error(DiscreteProblem& discrete, std::span<const double> values) {
   constexpr int least_steps = 2, most_steps = 4;
   constexpr double settled = 1.05;  // growth of the estimate in a step
   constexpr double diverging = 2.0;
-  if (discrete.equations.num_unknowns() == 0) return {.l2 = unknown, .h1 = unknown, .linf = unknown};
+  if (discrete.equations.num_unknowns() == 0) return {{.l2 = unknown, .h1 = unknown, .linf = unknown}, std::nullopt};
   const Mesh& parts = discrete.parts.mesh();
   const std::vector<double> own = discrete.parts.spread(values);
   std::vector<double> corrected(values.begin(), values.end());
-  std::vector<double> missing(values.size(), 0.0);
+  ErrorField field{.nodal = std::vector<double>(values.size(), 0.0), .surplus = {}, .residual = {}};
   EstimatedError result;
   for (int step = 0; step < most_steps; ++step) {
     const std::vector<double> u = discrete.parts.spread(corrected);
     const std::vector<Vector> gradients = recover_gradients(parts, u);
     const std::vector<Surplus> surplus = surpluses(parts, u, gradients);
     result.h1 = std::max(result.h1, gradient_error(parts, own, gradients));
-    const std::optional<NodalCorrection> correction = nodal_correction(discrete, corrected, surplus);
-    if (!correction) return {.l2 = unknown, .h1 = result.h1, .linf = unknown};
+    std::optional<NodalCorrection> correction = nodal_correction(discrete, corrected, surplus);
+    if (!correction) return {{.l2 = unknown, .h1 = result.h1, .linf = unknown}, std::nullopt};
     for (std::size_t v = 0; v < values.size(); ++v) {
       corrected[v] += correction->values[v];
-      missing[v] = corrected[v] - values[v];
+      field.nodal[v] = corrected[v] - values[v];
     }
-    const EstimatedError estimate = error_of(discrete.mesh, correction->surplus, missing);
+    field.surplus = std::move(correction->surplus);
+    field.residual = std::move(correction->residual);
+    const EstimatedError estimate = error_of(discrete.mesh, field.surplus, field.nodal);
     if (step > 0 && estimate.l2 > diverging * result.l2) {
-      const EstimatedError accelerated = by_correction(discrete, values);
-      return {.l2 = accelerated.l2, .h1 = std::max(result.h1, accelerated.h1), .linf = accelerated.linf};
+      ErrorEstimate accelerated = by_correction(discrete, values);
+      accelerated.norms.h1 = std::max(result.h1, accelerated.norms.h1);
+      return accelerated;
     }
     const bool done = step + 1 >= least_steps && !(estimate.l2 > settled * result.l2);
     if (!(estimate.l2 <= result.l2)) result.l2 = estimate.l2;  // NaN stays
@@ -62,16 +70,30 @@ EstimatedError estimate_error(DiscreteProblem& discrete, std::span<const double>
     result.h1 = std::max(result.h1, estimate.h1);
     if (done) break;
   }
+  return {result, std::move(field)};
+}
+
+ErrorEstimate estimate_error(DiscreteProblem& discrete, const Solution& solution) {
+  constexpr double share_left = 0.1;
+  ErrorEstimate result = estimate_error(discrete, solution.values);
+  if (solution.correction_l2 == 0.0 || discrete.local_solution().empty()) return result;
+  EstimatedError& norms = result.norms;
+  if (norms.l2 < share_left * solution.correction_l2) norms.l2 = share_left * solution.correction_l2;
+  if (norms.linf < share_left * solution.correction_max) norms.linf = share_left * solution.correction_max;
   return result;
 }
 
-EstimatedError estimate_error(DiscreteProblem& discrete, const Solution& solution) {
-  constexpr double share_left = 0.1;
-  EstimatedError result = estimate_error(discrete, solution.values);
-  if (solution.correction_l2 == 0.0 || discrete.local_solution().empty()) return result;
-  if (result.l2 < share_left * solution.correction_l2) result.l2 = share_left * solution.correction_l2;
-  if (result.linf < share_left * solution.correction_max) result.linf = share_left * solution.correction_max;
-  return result;
+double functional_error(const DiscreteProblem& discrete, const GoalFunctional& goal, const Solution& solution,
+                        const ErrorField& error) {
+  double sum = functional_of_error(discrete.mesh, goal, error);
+  if (goal.fluxes.empty()) return sum;
+  std::vector<double> corrected = solution.values;
+  for (std::size_t v = 0; v < corrected.size(); ++v) corrected[v] += error.nodal[v];
+  const std::map<int, double> fluxes =
+      boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, error.residual, corrected);
+  for (const int label : goal.fluxes)
+    if (fluxes.contains(label)) sum += fluxes.at(label) - solution.fluxes.at(label);
+  return sum;
 }
 
 }  // namespace parmesan
