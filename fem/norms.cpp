@@ -18,6 +18,7 @@ namespace {
 constexpr double Tolerance = 1e-3;         // of the mean integral per triangle
 constexpr int MaxLevels = 14;              // of the subdivision
 constexpr std::size_t MaxOpen = 40'000;    // of one level; a line on which the gradient is infinite asks for any number
+constexpr double MaxDoubt = 1e-3;          // of the integrals over the mesh: what rules may disagree on in all
 constexpr int SkipDegree10Above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
 constexpr std::size_t NumPeaks = 256;      // triangles whose largest error is searched for
 
@@ -88,10 +89,12 @@ class ElementError {
   const ExactFunction& exact_;
 };
 
-/// Integrals over a part, and whether two rules agree on them.
+/// Integrals over a part, whether two rules agree on them, and by how much they do not.
 struct Estimate {
   Integrals integrals;
   bool confirmed = false;
+  double l2_doubt = 0.0;
+  double h1_doubt = 0.0;
 };
 
 /// Rules of rising degree, until two agree on the integrals of e^2 and |grad e|^2.
@@ -109,7 +112,8 @@ class CheckedQuadrature {
     const Integrals degree6 = error.integrate(corners, area, degree6_rule());
     if (skip_degree10_ && agree(degree4, degree6, 0.1 * share)) return {degree6, true};
     const Integrals degree10 = error.integrate(corners, area, degree10_rule_);
-    return {degree10, agree(degree6, degree10, share)};
+    return {degree10, agree(degree6, degree10, share), std::abs(degree6.l2 - degree10.l2),
+            std::abs(degree6.h1 - degree10.h1)};
   }
 
  private:
@@ -128,8 +132,19 @@ struct OpenTriangle {
   std::size_t triangle = 0;
   Corners corners{};
   double area = 0.0;
-  Integrals integrals;
+  Estimate estimate;
 };
+
+/// Whether all that is open is too little to matter.
+bool is_negligible(const std::vector<OpenTriangle>& open, Integrals sum) {
+  double l2_doubt = 0.0, h1_doubt = 0.0;
+  for (const OpenTriangle& part : open) {
+    sum.add(part.estimate.integrals);
+    l2_doubt += part.estimate.l2_doubt;
+    h1_doubt += part.estimate.h1_doubt;
+  }
+  return l2_doubt <= MaxDoubt * sum.l2 && h1_doubt <= MaxDoubt * sum.h1;
+}
 
 /// Searches for the largest |e| of an element: the best point of a lattice, then by halved steps from there. All a
 /// little inside, since exact functions may jump at sides.
@@ -220,18 +235,19 @@ class MeshError {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       const Estimate estimate = quadrature.integrate(error_on(element, t), corners, area, depth);
       if (estimate.confirmed) return add(t, estimate.integrals);
-      open.push_back({t, corners, area, estimate.integrals});
+      open.push_back({t, corners, area, estimate});
     };
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       visit(t, element.p, element.area, 0);
     }
     for (int depth = 1; depth <= MaxLevels && 4 * open.size() <= MaxOpen + largest.size(); ++depth) {
+      if (is_negligible(open, sum)) break;
       for (const OpenTriangle& parent : std::exchange(open, {})) {
         for (const Corners& child : subdivide(parent.corners)) visit(parent.triangle, child, 0.25 * parent.area, depth);
       }
     }
-    for (const OpenTriangle& unconfirmed : open) add(unconfirmed.triangle, unconfirmed.integrals);
+    for (const OpenTriangle& unconfirmed : open) add(unconfirmed.triangle, unconfirmed.estimate.integrals);
     for (const std::size_t t : peaks(largest)) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       const ElementError error = error_on(element, t);
