@@ -190,15 +190,45 @@ Boundary::Boundary(const ParticleSystem& particles) : measures_(particles.domain
   });
 }
 
+namespace {
+
+constexpr long flips_per_change = 300;  // a fan of n that came to a side takes n^2 / 7
+
+void add_star(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack) {
+  for_each_spoke(mesh, v, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
+}
+
+}  // namespace
+
+void Boundary::halve_long_edges(ParticleSystem& particles) const {
+  constexpr int many = 64, most_levels = 30;
+  for (int level = 0; level < most_levels; ++level) {
+    const std::vector<ChainEdge> all = chains(particles);
+    std::vector<EdgeId> stack;
+    for_each_chain(all, [&](std::size_t first, std::size_t last) {
+      const Segment& segment = particles.domain().segments[at(all[first].segment)];
+      const SegmentMeasure& measure = measures_[at(all[first].segment)].front();
+      const int n = wanted_edges(segment, measure);
+      for (std::size_t i = first; i < last; ++i) {
+        const int from = nearest_mark(measure, n, all[i].from), to = nearest_mark(measure, n, all[i].to);
+        if (to - from <= many) continue;
+        const double middle = mark_parameter(measure, n, (from + to) / 2);
+        const VertexId v = split_at(particles, all[i].edge, point_on(particles.domain(), segment, middle), stack);
+        if (v != no_vertex) add_star(particles.mesh(), v, stack);
+      }
+    });
+    if (stack.empty()) return;
+    legalize(particles, stack, flips_per_change * static_cast<long>(stack.size()));
+  }
+}
+
 void Boundary::match_counts(ParticleSystem& particles) const {
-  constexpr long flips_per_change = 300;  // a fan of n that came to a side takes n^2 / 7
+  halve_long_edges(particles);
   const std::vector<ChainEdge> all = chains(particles);
   Triangulation& mesh = particles.mesh();
   std::vector<EdgeId> superfluous;
   std::vector<EdgeId> stack;
-  const auto legalize_later = [&](VertexId v) {
-    for_each_spoke(mesh, v, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
-  };
+  const auto legalize_later = [&](VertexId v) { add_star(mesh, v, stack); };
   for_each_chain(all, [&](std::size_t first, std::size_t last) {
     const Segment& segment = particles.domain().segments[at(all[first].segment)];
     const SegmentMeasure& measure = measures_[at(all[first].segment)].front();

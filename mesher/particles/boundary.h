@@ -59,6 +59,9 @@ class Boundary {
   std::vector<double> targets(const ParticleSystem& particles) const;
 
  private:
+  /// Halves edges that take many particles, level by level, so that these do not come as one large fan.
+  void halve_long_edges(ParticleSystem& particles) const;
+
   std::vector<std::vector<SegmentMeasure>> measures_;  // none or one per domain segment
 };
 

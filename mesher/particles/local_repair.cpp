@@ -121,6 +121,32 @@ bool repair_place(ParticleSystem& particles, VertexId v, Star& star, std::vector
   return true;
 }
 
+// Merges a particle with a flat triangle, for which there is no better place, into the neighbour that leaves the best
+// star, if the worst triangle then is twice as good: one that lies nearly on a segment, say.
+bool merge_if_flat(ParticleSystem& particles, VertexId v, Star& star, std::vector<EdgeId>& stack) {
+  constexpr double flat = 0.1, much_better = 2.0;
+  Triangulation& mesh = particles.mesh();
+  if (!mesh.has_vertex(v)) return false;
+  star.gather(particles, v);
+  double best = star.min_quality(mesh.point(v), particles.metric(v));
+  if (best >= flat) return false;
+  best *= much_better;
+  EdgeId spoke = no_edge;
+  for_each_spoke(mesh, v, [&](EdgeId e) {
+    const double after = star.quality_after_collapse(e);
+    if (after > best) {
+      best = after;
+      spoke = e;
+    }
+  });
+  if (spoke == no_edge) return false;
+  const VertexId neighbour = mesh.dest(spoke);
+  mesh.collapse(spoke);
+  for_each_spoke(mesh, neighbour, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
+  legalize(particles, stack, 100);
+  return true;
+}
+
 }  // namespace
 
 int repair_places(ParticleSystem& particles) {
@@ -134,6 +160,7 @@ int repair_places(ParticleSystem& particles) {
   int moves = 0;
   for (int pass = 0; pass < passes; ++pass)
     for (const VertexId v : places) moves += repair_place(particles, v, star, stack);
+  for (const VertexId v : places) moves += merge_if_flat(particles, v, star, stack);
   return moves;
 }
 

@@ -232,6 +232,23 @@ TEST_CASE("a mesh with holes, segments and points keeps them when its error is l
   CHECK(oracle::area_of(mesh) == Approx(1.0 - 0.065).epsilon(1e-12));
 }
 
+TEST_CASE("a strip a hundred times as long in its cells as it is wide has two chains of edges, and the best triangles",
+          "[mesher][generate]") {
+  constexpr double width = 1e-6, size = 1e-4;
+  Domain domain;
+  support::add_polygon(domain, {{0, 0}, {1, 0}, {1, width}, {0, width}}, 1);
+  const GenerateResult made = generate(domain, ConstantField(Metric::isotropic(size)));
+  CHECK(made.mesh.num_vertices() == 2 * 10'001);
+  CHECK(measure_quality(made.mesh, made.metrics).quality_min > 1.7 * width / size);  // sqrt3 at best
+}
+
+TEST_CASE("free vertices do not stay flat beside a segment of a wedge", "[mesher][generate]") {
+  Domain domain;
+  support::add_polygon(domain, {{0, 0}, {1, 0}, {1, 0.01}}, 1);
+  const GenerateResult made = generate(domain, ConstantField(Metric::isotropic(1e-3)));
+  CHECK(measure_quality(made.mesh, made.metrics).quality_min > 0.015);  // in the tip, which allows 0.017
+}
+
 TEST_CASE("channels one or two thirds of an edge wide have no fans of thin triangles", "[mesher][generate]") {
   const double width = GENERATE(0.003, 0.001, 0.0007, 0.0003);
   for (const double sizes_per_width : {1.0, 2.0}) {
