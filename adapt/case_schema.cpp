@@ -422,7 +422,7 @@ constexpr const char* kSchema = R"schema({
         "targets_met", "iteration", "vertices", "triangles", "complexity", "efficiency", "unit_edges",
         "interpolation_error.l1", "interpolation_error.l2", "interpolation_error.linf", "interpolation_error.h1",
         "solution_error.l2", "solution_error.linf", "solution_error.h1", "estimated_error.l2", "estimated_error.h1",
-        "effectivity.l2", "effectivity.h1", "effectivity.h1_residual",
+        "estimated_error.linf", "estimated_error.h1_residual", "effectivity.l2", "effectivity.h1", "effectivity.h1_residual",
         "goal.value", "goal.estimate", "goal.error", "goal.corrected", "goal.corrected_error", "goal.effectivity",
         "edge_length.min", "edge_length.max", "quality.min", "quality.p01", "quality.mean",
         "quality.min_away_from_corners", "functionals", "fluxes", "bounds.lower", "bounds.upper", "bounds.overshoot",

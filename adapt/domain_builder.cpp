@@ -76,6 +76,12 @@ void DomainBuilder::add_hole(const Ring& ring, const std::string& side) {
   domain_.holes.push_back(interior_point(ring));
 }
 
+int DomainBuilder::point_at(const Point& p) {
+  const auto index = std::ranges::find(domain_.points, p) - domain_.points.begin();
+  if (index == std::ssize(domain_.points)) domain_.points.push_back(p);
+  return static_cast<int>(index);
+}
+
 int DomainBuilder::curve(const Curve& curve) {
   domain_.curves.push_back(curve);
   return static_cast<int>(domain_.curves.size()) - 1;
@@ -101,7 +107,10 @@ void DomainBuilder::add_hole(const Path& path) {
 
 void DomainBuilder::add_curve(const Curve& along, const std::string& name, const std::optional<std::string>& right,
                               bool is_required) {
-  add_segment(along.at(0.0), along.at(1.0), name, right, is_required);
+  constexpr double rounding = 1e-12;
+  const Point begin = along.at(0.0), end = along.at(1.0);
+  const bool is_closed = norm(end - begin) <= rounding * along.extent();
+  add_segment(begin, is_closed ? begin : end, name, right, is_required);
   domain_.segments.back().curve = curve(along);
 }
 
@@ -112,9 +121,8 @@ void DomainBuilder::add_point(const Point& p, bool is_required) {
 
 void DomainBuilder::add_segment(const Point& a, const Point& b, const std::string& name,
                                 const std::optional<std::string>& right, bool is_required) {
-  const int first = static_cast<int>(domain_.points.size());
-  domain_.points.insert(domain_.points.end(), {a, b});
-  domain_.segments.push_back({first, first + 1, label(name)});
+  const int first = point_at(a);
+  domain_.segments.push_back({first, point_at(b), label(name)});
   if (right) domain_.segments.back().label_right = label(*right);
   domain_.segments.back().required = is_required;
 }

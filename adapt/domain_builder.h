@@ -72,6 +72,9 @@ class DomainBuilder {
   int region(const std::string& name);
   int curve(const Curve& curve);
 
+  /// The point of the domain at this place, a new one where there is none.
+  int point_at(const Point& p);
+
   Domain domain_;
   std::map<std::string, int> label_of_name_;
   int last_label_ = 0;

@@ -100,9 +100,10 @@ FolderLock prepare_folder(const std::string& path, EarlierFiles earlier) {
   make_folder(path);
   FolderLock lock(path);
   if (earlier == EarlierFiles::Refuse && !is_empty(path)) {
-    throw FileError(path, 0,
-                    "the folder is not empty; --overwrite replaces an earlier run, --resume goes on with it, --out "
-                    "chooses another folder");
+    throw FileError(
+        path, 0,
+        "the folder is not empty; --overwrite replaces what an earlier run left, --out chooses another folder, "
+        "'run --resume' goes on with a run");
   }
   return lock;
 }

@@ -60,6 +60,8 @@ class GeoJsonReader {
   /// feature: the name of the feature that the object belongs to.
   void read_object(const Json& object, const std::string& pointer, const std::string& feature) {
     if (!object.is_object()) refuse(pointer, "must be an object");
+    if (pointer.empty() && object.is_object() && !object.contains("type"))
+      refuse(pointer, "has no \"type\", as GeoJSON has, nor the \"geometry\" of a case file");
     const Json& type = member(object, "type", pointer);
     if (type == "FeatureCollection") {
       read_list(member(object, "features", pointer), pointer + "/features", feature);

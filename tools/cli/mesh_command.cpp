@@ -330,13 +330,14 @@ Command add_mesh_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("mesh", "One mesh of a geometry: uniform, graded or anisotropic");
   const auto arguments = std::make_shared<MeshArguments>();
   app->add_option("GEOMETRY", arguments->geometry,
-                  "What is to be meshed: .poly .geojson .dat (airfoil) .mesh .meshb .msh .node .ele")
+                  "What is to be meshed: .poly .geojson .dat (airfoil) .mesh .meshb .msh .node .ele, or a case .json")
       ->required()
       ->option_text(" ");
   add_repair_options(*app, arguments->repair);
-  app->add_option("-o,--out", arguments->outputs,
-                  "File for the mesh; the suffix names the format: .mesh .meshb .msh .vtu .svg .eps .node .ele .poly; "
-                  "may be repeated")
+  app->add_option(
+         "-o,--out", arguments->outputs,
+         "File for the mesh; the suffix names the format: .mesh .meshb .msh .vtu .svg .eps .png .node .ele .poly; "
+         "may be repeated")
       ->required()
       ->take_all()
       ->allow_extra_args(false)
