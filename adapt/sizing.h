@@ -66,7 +66,8 @@ double observed_order(std::span<const SizeStep> history);
 ///   had 3 passes at that size.
 ///
 /// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (with error targets: 4 passes in which the error did not
-/// fall by 2 %; with a size aimed at: 8 passes that missed it), or Unchanged when nothing is aimed at and the first size has settled.
+/// fall by 2 %; with a size aimed at: 8 passes that missed it), or Unchanged when nothing is aimed at and the first
+/// size has settled.
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal);
 
 }  // namespace parmesan

@@ -77,8 +77,8 @@ struct CleanDomain {
 /// segments (the first keeps its label), splits segments at points that lie exactly on them and at
 /// overlaps. Keeps the order of points and segments. A crack of one segment, which could not open, gets a point in its
 /// middle. Notes free ends but those of cracks, and points that are under 1e-7
-/// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from first_number; points made at crossings
-/// are numbered after them.
+/// of the diameter or 16 ulp apart. Messages use the numbers of the domain given, from first_number; points made at
+/// crossings are numbered after them.
 ///
 /// Where crossings are split, curves that run together become one, and curved segments are split on both curves.
 ///

@@ -11,12 +11,11 @@ namespace parmesan {
 /// Writes a file that is either complete or not there.
 ///
 /// Everything goes to PATH.tmp<process id> in the same folder, which commit() renames to PATH; an
-/// OutputFile that is destroyed without commit() removes it and leaves an older PATH as it was, whose permissions a new one
-/// keeps. A symbolic link is replaced, not followed.
-/// Errors: FileError when the file cannot be made, written, closed or renamed, when PATH is
-/// something else than a regular file (a device, a folder), and for numbers that are not finite.
-/// Numbers are written in the shortest form that reads back to the same bits, whatever the locale.
-/// Memory: a buffer of 1 MiB.
+/// OutputFile that is destroyed without commit() removes it and leaves an older PATH as it was, whose permissions a new
+/// one keeps. A symbolic link is replaced, not followed. Errors: FileError when the file cannot be made, written,
+/// closed or renamed, when PATH is something else than a regular file (a device, a folder), and for numbers that are
+/// not finite. Numbers are written in the shortest form that reads back to the same bits, whatever the locale. Memory:
+/// a buffer of 1 MiB.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path);
@@ -49,8 +48,8 @@ class OutputFile {
   std::size_t size_ = 0;
 };
 
-/// Whether a file that the user names can be written, said before the work is done. Errors: FileError for a folder that is
-/// not there or not writable, and for what users would not want to lose: a symbolic link, a write-protected file,
+/// Whether a file that the user names can be written, said before the work is done. Errors: FileError for a folder that
+/// is not there or not writable, and for what users would not want to lose: a symbolic link, a write-protected file,
 /// anything that is not a file.
 void check_output(const std::string& path);
 
