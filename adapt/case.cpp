@@ -118,7 +118,6 @@ std::optional<Expression> CaseReading::expression(const Json& value, const std::
 
 namespace {
 
-// Whether the domain can be meshed is not looked at.
 /// Point sources make u infinite there, of infinite H1 norm.
 void refuse_infinite_errors(CaseReading& reading, const Case& result) {
   if (result.problem.point_sources.empty()) return;
@@ -128,6 +127,7 @@ void refuse_infinite_errors(CaseReading& reading, const Case& result) {
   if (result.targets.linf_error) reading.issues.add("/targets/linf_error", why);
 }
 
+// Whether the domain can be meshed is not looked at.
 Case parse_unclean(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
   CaseReading reading;
   reading.document = load_document(text, file, overrides, reading.issues);

@@ -77,9 +77,16 @@ void DomainBuilder::add_hole(const Ring& ring, const std::string& side) {
 }
 
 int DomainBuilder::point_at(const Point& p) {
-  const auto index = std::ranges::find(domain_.points, p) - domain_.points.begin();
-  if (index == std::ssize(domain_.points)) domain_.points.push_back(p);
-  return static_cast<int>(index);
+  for (; num_indexed_ < std::ssize(domain_.points); ++num_indexed_) {
+    const Point& known = domain_.points[static_cast<std::size_t>(num_indexed_)];
+    point_of_place_.try_emplace({known.x, known.y}, num_indexed_);
+  }
+  const auto [found, is_new] = point_of_place_.try_emplace({p.x, p.y}, num_indexed_);
+  if (is_new) {
+    domain_.points.push_back(p);
+    ++num_indexed_;
+  }
+  return found->second;
 }
 
 int DomainBuilder::curve(const Curve& curve) {
@@ -151,6 +158,8 @@ void DomainBuilder::replace(Domain domain) {
   domain.label_names = std::move(domain_.label_names);
   domain.region_names = std::move(domain_.region_names);
   domain_ = std::move(domain);
+  point_of_place_.clear();
+  num_indexed_ = 0;
 }
 
 void DomainBuilder::add_region(const std::string& name, const Point& seed) {

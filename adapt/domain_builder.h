@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "adapt/shapes.h"
@@ -76,6 +77,8 @@ class DomainBuilder {
   int point_at(const Point& p);
 
   Domain domain_;
+  std::map<std::pair<double, double>, int> point_of_place_;  // of the first points of the domain
+  int num_indexed_ = 0;                                      // how many
   std::map<std::string, int> label_of_name_;
   int last_label_ = 0;
 };

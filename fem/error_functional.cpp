@@ -5,6 +5,7 @@
 
 #include "fem/point_location.h"
 #include "fem/quadrature.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -24,20 +25,18 @@ double integral_of_quadratics(const Mesh& mesh, const ScalarCoefficient& density
 /// On a side the quadratic is 4 s t (1 - t); by Simpson's rule.
 double integral_along(const Mesh& mesh, const Side& side, const BoundaryData& weight, const ErrorField& error) {
   constexpr double of_parabola = 2.0 / 3.0;
-  const std::array<int, 3>& corners = mesh.triangles[static_cast<std::size_t>(side.triangle)];
+  const std::array<int, 3>& corners = mesh.triangles[at(side.triangle)];
   std::size_t opposite = 0;
   while (corners[opposite] == side.from || corners[opposite] == side.to) ++opposite;
-  const Point middle =
-      midpoint(mesh.points[static_cast<std::size_t>(side.from)], mesh.points[static_cast<std::size_t>(side.to)]);
-  const double surplus = error.surplus[static_cast<std::size_t>(side.triangle)][opposite];
+  const Point middle = midpoint(mesh.points[at(side.from)], mesh.points[at(side.to)]);
+  const double surplus = error.surplus[at(side.triangle)][opposite];
   return of_parabola * side.length * surplus * weight(middle, side.normal, side.region);
 }
 
 double mean_at(const Mesh& mesh, const Point& place, const ErrorField& error) {
   const std::vector<TrianglePlace> holders = triangles_at(mesh, place);
   double sum = 0.0;
-  for (const TrianglePlace& holder : holders)
-    sum += Quadratic{error.surplus[static_cast<std::size_t>(holder.triangle)]}.at(holder.lambda);
+  for (const TrianglePlace& holder : holders) sum += Quadratic{error.surplus[at(holder.triangle)]}.at(holder.lambda);
   return holders.empty() ? 0.0 : sum / static_cast<double>(holders.size());
 }
 

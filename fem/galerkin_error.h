@@ -24,8 +24,8 @@ struct ErrorEstimate {
 /// Recovered gradients give the first part as a quadratic on each triangle, and nodal_correction.h the second. The
 /// gradients are then recovered from the corrected values, and these corrected once more, up to four times while the
 /// estimate grows by 5 %; the largest results are returned. Where a step doubles it, defect_correction.h's accelerated
-/// steps take their place. h1 is the largest of the
-/// differences between these gradients and those of the solution, and of what both parts have.
+/// steps take their place. h1 is the largest of the differences between these gradients and those of the solution, and
+/// of what both parts have.
 ///
 /// Asymptotically exact where the gradients are. Around singular vertices solutions on refined patches take their
 /// place. l2 and linf are NaN where the second part is not found, all are where no vertex is free: values that are

@@ -194,10 +194,6 @@ namespace {
 
 constexpr long flips_per_change = 300;  // a fan of n that came to a side takes n^2 / 7
 
-void add_star(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack) {
-  for_each_spoke(mesh, v, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
-}
-
 }  // namespace
 
 void Boundary::halve_long_edges(ParticleSystem& particles) const {

@@ -116,7 +116,7 @@ bool repair_place(ParticleSystem& particles, VertexId v, Star& star, std::vector
   const Point to = best_place_near(particles, star, v);
   if (to == from) return false;
   particles.move(v, to);
-  for_each_spoke(particles.mesh(), v, [&](EdgeId e) { stack.insert(stack.end(), {e, particles.mesh().lnext(e)}); });
+  add_star(particles.mesh(), v, stack);
   legalize(particles, stack, 100);
   return true;
 }
@@ -142,7 +142,7 @@ bool merge_if_flat(ParticleSystem& particles, VertexId v, Star& star, std::vecto
   if (spoke == no_edge) return false;
   const VertexId neighbour = mesh.dest(spoke);
   mesh.collapse(spoke);
-  for_each_spoke(mesh, neighbour, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
+  add_star(mesh, neighbour, stack);
   legalize(particles, stack, 100);
   return true;
 }

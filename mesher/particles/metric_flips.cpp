@@ -62,6 +62,10 @@ bool contains_quadrilateral(const Territory& territory, const ParticleSystem& pa
 
 }  // namespace
 
+void add_star(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack) {
+  for_each_spoke(mesh, v, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
+}
+
 long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap, const Territory& territory) {
   Triangulation& mesh = particles.mesh();
   long flips = 0;

@@ -18,6 +18,10 @@ bool can_flip(const Triangulation& mesh, EdgeId e);
 /// counter-clockwise by exact orientation, and no sliver (quality under 0.05) becomes worse.
 bool wants_flip(const ParticleSystem& particles, EdgeId e);
 
+/// Adds the edges that legalize is to look at where v came, moved or took in another particle: its spokes, and the
+/// sides opposite to it.
+void add_star(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack);
+
 /// Flips the edges on the stack, and those that come to want it, until none does or the number
 /// of flips reaches the cap. Edges whose quadrilateral leaves the territory stay. Empties the stack.
 /// Returns the number of flips.

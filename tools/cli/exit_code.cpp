@@ -9,6 +9,7 @@
 #include "fem/solve.h"
 #include "mesher/errors.h"
 #include "tools/cli/escape.h"
+#include "tools/cli/naming_file.h"
 
 namespace parmesan {
 void print_error(const std::string& message) {
@@ -21,7 +22,7 @@ void print_warning(const std::string& message) {
 
 ExitCode report_current_exception(const std::string& file) {
   const auto fail = [&file](ExitCode code, const std::string& message) {
-    print_error(file.empty() || message.starts_with(file) ? message : file + ": " + message);
+    print_error(named(file, message));
     return code;
   };
   try {

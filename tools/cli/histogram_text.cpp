@@ -16,8 +16,8 @@ std::string text(const Histogram& histogram) {
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     const long count = histogram.counts[i];
     const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(total);
-    lines += padded(format_number(histogram.bounds[i], 3), 10) + padded(format_number(histogram.bounds[i + 1], 3), 10) +
-             padded(format_number(percent, 3), 10) + " %  " +
+    lines += padded(short_number(histogram.bounds[i], 3), 10) + padded(short_number(histogram.bounds[i + 1], 3), 10) +
+             padded(short_number(percent, 3), 10) + " %  " +
              std::string(static_cast<std::size_t>((count * width + largest - 1) / largest), '#') + "\n";
   }
   return lines;

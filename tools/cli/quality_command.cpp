@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "adapt/number_text.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/quality.h"
@@ -80,17 +81,17 @@ void print(std::ostream& out, const Assessment& assessment) {
   const std::string unit = assessment.in_metric ? "in the metric" : "in the unit of the mesh";
   out << assessment.mesh.num_vertices() << " vertices, " << assessment.mesh.num_triangles() << " triangles, "
       << assessment.mesh.num_edges() << " boundary and constraint edges\n"
-      << "angles:       " << format_number(quality.angle_min) << " to " << format_number(quality.angle_max)
+      << "angles:       " << short_number(quality.angle_min) << " to " << short_number(quality.angle_max)
       << " degrees\n";
   if (assessment.in_metric) {
-    out << "complexity:   " << format_number(quality.complexity) << "\n"
-        << "unit edges:   " << format_number(100.0 * quality.unit_edges) << " %\n";
+    out << "complexity:   " << short_number(quality.complexity) << "\n"
+        << "unit edges:   " << short_number(100.0 * quality.unit_edges) << " %\n";
   }
-  out << "edge length:  " << format_number(quality.length_min) << " to " << format_number(quality.length_max)
-      << ", mean " << format_number(quality.length_mean) << ", " << unit << "\n"
-      << text(assessment.lengths) << "quality:      min " << format_number(quality.quality_min) << " at ("
-      << format_number(worst.x) << ", " << format_number(worst.y) << "), 1st percentile "
-      << format_number(quality.quality_p01) << ", mean " << format_number(quality.quality_mean)
+  out << "edge length:  " << short_number(quality.length_min) << " to " << short_number(quality.length_max) << ", mean "
+      << short_number(quality.length_mean) << ", " << unit << "\n"
+      << text(assessment.lengths) << "quality:      min " << short_number(quality.quality_min) << " at ("
+      << short_number(worst.x) << ", " << short_number(worst.y) << "), 1st percentile "
+      << short_number(quality.quality_p01) << ", mean " << short_number(quality.quality_mean)
       << "; 4 sqrt3 area / sum of squared edge lengths\n"
       << text(assessment.qualities);
 }

@@ -12,8 +12,8 @@ namespace {
 
 void print_norms(std::ostream& out, const char* name, const std::optional<ErrorNorms>& norms) {
   if (!norms) return;
-  out << name << "L2 " << format_number(norms->l2) << ", H1 " << format_number(norms->h1) << ", max "
-      << format_number(norms->linf) << "\n";
+  out << name << "L2 " << short_number(norms->l2) << ", H1 " << short_number(norms->h1) << ", max "
+      << short_number(norms->linf) << "\n";
 }
 
 void print_named(std::ostream& out, const char* what, const std::map<std::string, double>& named) {
@@ -21,7 +21,7 @@ void print_named(std::ostream& out, const char* what, const std::map<std::string
   out << what;
   const char* separator = "";
   for (const auto& [name, value] : named) {
-    out << separator << escape_control(name) << " " << format_number(value, 6);
+    out << separator << escape_control(name) << " " << short_number(value, 6);
     separator = ", ";
   }
   out << "\n";
@@ -29,46 +29,46 @@ void print_named(std::ostream& out, const char* what, const std::map<std::string
 
 void print_solve(std::ostream& out, const SolveReport& report) {
   out << "solver:              " << report.solver << ", " << report.unknowns << " unknowns, backward error "
-      << format_number(report.backward_error, 2);
+      << short_number(report.backward_error, 2);
   if (report.peclet_max > 0.0) {
-    out << ", mesh Peclet numbers " << format_number(report.peclet_min, 2) << " to "
-        << format_number(report.peclet_max, 2);
+    out << ", mesh Peclet numbers " << short_number(report.peclet_min, 2) << " to "
+        << short_number(report.peclet_max, 2);
   }
   out << "\n";
   const auto exceeds = [&out](double by, const char* side, double bound) {
-    out << "maximum principle:   " << side << " bound " << format_number(bound) << " exceeded by "
-        << format_number(by, 2) << "\n";
+    out << "maximum principle:   " << side << " bound " << short_number(bound) << " exceeded by " << short_number(by, 2)
+        << "\n";
   };
   if (report.undershoot() > 0.0) exceeds(report.undershoot(), "lower", *report.bounds.lower);
   if (report.overshoot() > 0.0) exceeds(report.overshoot(), "upper", *report.bounds.upper);
 }
 
 void print_goal(std::ostream& out, const GoalRow& goal) {
-  out << "goal:                " << format_number(goal.value, 8) << ", estimated error "
-      << format_number(goal.estimate.error);
+  out << "goal:                " << short_number(goal.value, 8) << ", estimated error "
+      << short_number(goal.estimate.error);
   if (goal.error) {
-    out << ", error " << format_number(*goal.error) << ", effectivity "
-        << format_number(goal.estimate.error / *goal.error);
+    out << ", error " << short_number(*goal.error) << ", effectivity "
+        << short_number(goal.estimate.error / *goal.error);
   }
-  out << "; corrected by it " << format_number(goal.corrected(), 8);
-  if (goal.error) out << ", error " << format_number(*goal.corrected_error());
+  out << "; corrected by it " << short_number(goal.corrected(), 8);
+  if (goal.error) out << ", error " << short_number(*goal.corrected_error());
   out << "\n";
 }
 
 void print_row(std::ostream& out, const IterationRow& row) {
   out << "mesh:                " << row.vertices << " vertices, " << row.triangles << " triangles, "
-      << format_number(100.0 * row.unit_edges) << " % unit edges, quality " << format_number(row.quality_mean)
-      << " (min " << format_number(row.quality_min) << ")\n";
+      << short_number(100.0 * row.unit_edges) << " % unit edges, quality " << short_number(row.quality_mean) << " (min "
+      << short_number(row.quality_min) << ")\n";
   print_norms(out, "solution error:      ", row.solution_error);
   print_norms(out, "interpolation error: ", row.interpolation_error);
   if (row.estimated_error) {
-    out << "estimated error:     L2 " << format_number(row.estimated_error->l2) << ", H1 "
-        << format_number(row.estimated_error->h1) << ", max " << format_number(row.estimated_error->linf);
-    if (row.residual_h1) out << "; H1 by residuals " << format_number(*row.residual_h1);
+    out << "estimated error:     L2 " << short_number(row.estimated_error->l2) << ", H1 "
+        << short_number(row.estimated_error->h1) << ", max " << short_number(row.estimated_error->linf);
+    if (row.residual_h1) out << "; H1 by residuals " << short_number(*row.residual_h1);
     out << "\n";
   }
   if (row.goal) print_goal(out, *row.goal);
-  if (row.efficiency) out << "efficiency:          " << format_number(*row.efficiency) << "\n";
+  if (row.efficiency) out << "efficiency:          " << short_number(*row.efficiency) << "\n";
   if (row.solve_report) print_solve(out, *row.solve_report);
   print_named(out, "functionals:         ", row.functionals);
 }
@@ -87,8 +87,6 @@ std::string_view words(Start start) {
 
 }  // namespace
 
-std::string format_number(double value, int digits) { return short_number(value, digits); }
-
 void print_summary(std::ostream& out, const RunResult& result) {
   const Summary& summary = result.summary;
   out << escape_control(summary.case_name) << ": " << to_string(summary.stop_reason) << " after "
@@ -106,15 +104,15 @@ bool all_passed(std::ostream& out, std::span<const Verdict> verdicts) {
 
 void print_mesh_summary(std::ostream& out, const GenerateResult& made, const MeshQuality& quality) {
   out << made.mesh.num_vertices() << " vertices, " << made.mesh.num_triangles() << " triangles\n"
-      << format_number(100.0 * quality.unit_edges) << " % unit edges, lengths " << format_number(quality.length_min)
-      << " to " << format_number(quality.length_max) << ", quality mean " << format_number(quality.quality_mean)
-      << ", min " << format_number(quality.quality_min) << "\n"
+      << short_number(100.0 * quality.unit_edges) << " % unit edges, lengths " << short_number(quality.length_min)
+      << " to " << short_number(quality.length_max) << ", quality mean " << short_number(quality.quality_mean)
+      << ", min " << short_number(quality.quality_min) << "\n"
       << "started from " << words(made.report.start) << ": " << made.report.start_reason << "\n";
   if (!made.report.thesis) return;
   const ThesisReport& thesis = *made.report.thesis;
   const double per_particle = static_cast<double>(thesis.picks) / made.mesh.num_vertices();
-  out << thesis.picks << " picks, " << format_number(per_particle) << " per particle; " << thesis.created
-      << " created, " << thesis.annihilated << " annihilated; "
+  out << thesis.picks << " picks, " << short_number(per_particle) << " per particle; " << thesis.created << " created, "
+      << thesis.annihilated << " annihilated; "
       << (thesis.settled ? "none is alive" : std::to_string(thesis.alive) + " are alive") << "\n";
 }
 

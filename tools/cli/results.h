@@ -10,9 +10,6 @@
 
 namespace parmesan {
 
-/// A number with so many significant digits, independent of the locale.
-std::string format_number(double value, int digits = 4);
-
 /// Why a run ended, what its last mesh is worth, and where its files are.
 void print_summary(std::ostream& out, const RunResult& result);
 
