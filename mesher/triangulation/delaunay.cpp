@@ -10,15 +10,18 @@
 namespace parmesan {
 namespace {
 
-/// Positions 0 .. n - 1 in the order in which they are inserted: multiples of 64, of 8, the others.
+/// One of each 64, then of each 8, then the others. Not always the first of them: where a curve through two rows of
+/// points takes them in turn, that would be one row and then the other, each of its points in sight of all the first.
 std::vector<int> insertion_order(const std::vector<int>& order) {
+  const auto is_chosen = [](std::size_t k, std::size_t of) { return k % of == 3 * (k / of) % of; };
   std::vector<int> result;
   result.reserve(order.size());
-  for (std::size_t k = 0; k < order.size(); k += 64) result.push_back(order[k]);
-  for (std::size_t k = 0; k < order.size(); k += 8)
-    if (k % 64 != 0) result.push_back(order[k]);
   for (std::size_t k = 0; k < order.size(); ++k)
-    if (k % 8 != 0) result.push_back(order[k]);
+    if (is_chosen(k, 64)) result.push_back(order[k]);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (is_chosen(k, 8) && !is_chosen(k, 64)) result.push_back(order[k]);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    if (!is_chosen(k, 8) && !is_chosen(k, 64)) result.push_back(order[k]);
   return result;
 }
 

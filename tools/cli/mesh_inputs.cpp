@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "adapt/hessian_metric.h"
@@ -133,6 +134,16 @@ void warn_beyond(const Domain& domain, const Mesh& background) {
                 rounded_text(farthest) + ": there the metric of the nearest place holds");
 }
 
+std::unique_ptr<BackgroundMesh> sizes_of(const Domain& domain) {
+  FeatureSizeField found = feature_size_field(domain);
+  if (const std::optional<CoarsenedFeature>& worst = found.coarsened) {
+    print_warning("the geometry is too narrow for sizes that follow it: at " + rounded_text(worst->place) + " they are " +
+                  short_number(worst->size, 2) + " in place of " + short_number(worst->wanted, 2) +
+                  "; --size or a background gives others");
+  }
+  return std::make_unique<BackgroundMesh>(std::move(found.sizes));
+}
+
 // Without triangles it is a cloud of samples.
 Mesh read_background(const std::string& path) {
   Mesh mesh = read_mesh_file(path);
@@ -152,7 +163,7 @@ MeshInputs read_mesh_inputs(const MeshInputOptions& options, const Domain& domai
   if (options.size) {
     inputs.field = std::make_unique<ConstantField>(Metric::isotropic(*options.size));
   } else if (options.background.empty()) {
-    inputs.field = naming_file(geometry, [&] { return std::make_unique<BackgroundMesh>(feature_size_field(domain)); });
+    inputs.field = naming_file(geometry, [&] { return sizes_of(domain); });
   } else if (options.background == options.from) {
     read_fields(*inputs.previous, options, inputs);
     warn_beyond(domain, *inputs.previous);

@@ -145,7 +145,7 @@ Item oscillation(const Setting& setting) {
            "a fixed number of rounds: it cannot oscillate, and says where the metric is missed");
   const Domain holed = square_with_fine_hole();
   const ConstantField coarse(Metric::isotropic(0.1));
-  const BackgroundMesh features = feature_size_field(holed);
+  const BackgroundMesh features = feature_size_field(holed).sizes;
   const CallableField both([&](const Point& p) { return intersect(Metric::isotropic(0.1), features.at(p)); });
   const Run close = run(holed, coarse, as_written(thesis));
   const Run resolved = run(holed, both, as_written(thesis));
