@@ -17,9 +17,7 @@
 #include "mesher/particles/boundary.h"
 #include "mesher/particles/error_descent.h"
 #include "mesher/particles/fast_schedule.h"
-#include "mesher/particles/metric_flips.h"
 #include "mesher/particles/overlooked.h"
-#include "mesher/particles/population.h"
 #include "mesher/particles/previous_mesh.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/ordering.h"
@@ -78,6 +76,7 @@ Relaxed taken_lower_in_error(ParticleSystem& particles, const TensorField* hessi
   if (hessian == nullptr) return taken_from(particles);
   Mesh before = taken_from(particles).mesh;
   lower_error(particles, *hessian);
+  split_distant_chords(particles);
   Relaxed relaxed = taken_from(particles);
   relaxed.before_descent = std::move(before);
   return relaxed;
@@ -91,6 +90,8 @@ Mesh in_local_order(Mesh mesh) {
 
 Mesh refined(const Mesh& mesh, const Domain& domain) { return refine_red(mesh, middles_on_curves(mesh, domain)); }
 
+Mesh mesh_of_sites(const Outline& outline) { return to_mesh(triangulate(outline.domain), outline.segments).mesh; }
+
 /// The mesh of the domain's sites, with more of them where these do not show what the metric asks for.
 struct ScratchStart {
   Mesh mesh;
@@ -103,7 +104,7 @@ struct ScratchStart {
 ScratchStart scratch_start(const Domain& domain, const Outline& outline, const MetricField& field,
                            std::int64_t max_vertices) {
   constexpr double much_more = 1.1;
-  Mesh mesh = to_mesh(triangulate(outline.domain), outline.segments).mesh;
+  Mesh mesh = mesh_of_sites(outline);
   std::optional<std::string> outside = outside_parts(mesh, domain);
   mesh.required = required_parts(mesh, domain);
   OverlookedParts overlooked(field, domain);
@@ -122,6 +123,7 @@ ScratchStart scratch_start(const Domain& domain, const Outline& outline, const M
 // remesh settles what it has stirred up.
 Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const ScratchStart& start,
                        FastScheduleOptions effort, const GenerateOptions& options) {
+  constexpr std::int64_t coarse_limit = 1'000'000;  // for memory: isotropic meshes may have more vertices on segments
   effort.momentum = options.particles.momentum.value_or(0.0);
   const int levels = coarser_levels(start.expected_vertices);
   const FastScheduleOptions coarse_effort{.rounds = 2,
@@ -132,20 +134,19 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Scr
                                           .may_be_settled = levels == 0,
                                           .momentum = effort.momentum,
                                           .particles = effort.particles,
-                                          .max_vertices = effort.max_vertices};
+                                          .max_vertices = std::max(effort.max_vertices, coarse_limit)};
   FastScheduleOptions coarsest_effort = coarse_effort;
   coarsest_effort.rounds = 8;
   Relaxed relaxed{.mesh = start.mesh, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
     const double scale = scale_of(level);
     if (level == 1 && level < levels) relaxed.mesh = start.overlooked.with_sites(relaxed.mesh, scale);
-    ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field);
+    ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field, {scale, level == levels});
     relaxed = {};  // for its memory
     if (level == levels) {
-      particles.set_level({scale, true});
       run_fast_schedule(particles, coarse_effort);
+      particles.set_level({scale, false});
     }
-    particles.set_level({scale, false});
     run_fast_schedule(particles, level == 0 ? effort : level == levels ? coarsest_effort : coarse_effort);
     if (options.observer) options.observer(particles, levels - level);
     relaxed = level == 0 ? taken_lower_in_error(particles, options.hessian) : taken_from(particles);
@@ -195,11 +196,12 @@ Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mes
   return taken_lower_in_error(particles, options.hessian);
 }
 
-// The previous mesh with its edges labelled with segments, if it conforms to the domain.
-std::optional<Mesh> fitted(Mesh mesh, const Domain& domain) {
+// The previous mesh with its edges labelled with segments and the domain's regions, if it conforms to the domain.
+std::optional<Mesh> fitted(Mesh mesh, const Domain& domain, const Outline& outline) {
   std::optional<std::vector<int>> segments = match_edges_to_segments(mesh, domain);
   if (!segments) return std::nullopt;
   mesh.labels = std::move(*segments);
+  if (!take_regions(mesh, mesh_of_sites(outline), domain)) return std::nullopt;
   return put_on_curves(std::move(mesh), domain);
 }
 
@@ -229,7 +231,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<Mesh> fit;
   if (previous) {  // the particles of a crack are those of both its sides
-    fit = fitted(has_cracks(*previous) ? close_cracks(*previous).mesh : *std::move(previous), domain);
+    fit = fitted(has_cracks(*previous) ? close_cracks(*previous).mesh : *std::move(previous), domain, outline);
     choice.reason = "the previous mesh does not fit the geometry";
     if (fit) choice = choose_start(*fit, field);
     if (fit && by_thesis)

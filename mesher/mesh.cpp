@@ -29,6 +29,15 @@ void check_counts(const Mesh& mesh) {
   }
 }
 
+void check_regions(const Mesh& mesh) {
+  const auto found = std::ranges::find_if(mesh.regions, [](int region) { return region < min_region; });
+  if (found == mesh.regions.end()) return;
+  const auto triangle = static_cast<int>(found - mesh.regions.begin());
+  throw GeometryError("triangle " + std::to_string(triangle) + " has region " + std::to_string(*found) +
+                          "; regions are numbered from " + std::to_string(min_region),
+                      {triangle});
+}
+
 void check_points(const Mesh& mesh) {
   for (int i = 0; i < mesh.num_vertices(); ++i) {
     const Point& p = mesh.points[static_cast<std::size_t>(i)];
@@ -103,6 +112,7 @@ std::optional<MeshSide> lowest_unsound_side(const Mesh& mesh, const HalfEdges& h
 // Without what needs to know which triangles share a side.
 void check_parts(const Mesh& mesh) {
   check_counts(mesh);
+  check_regions(mesh);
   check_points(mesh);
   check_indices(mesh.triangles, mesh.num_vertices(), "triangle");
   check_indices(mesh.edges, mesh.num_vertices(), "edge");

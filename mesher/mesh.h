@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace parmesan {
 
 /// Names of integer labels; a label without an entry is called by its number.
 using LabelNames = std::map<int, std::string>;
+
+/// The lowest number of a region: the two below it tell faces apart while a domain is triangulated.
+inline constexpr int min_region = std::numeric_limits<int>::min() + 2;
 
 /// What of a mesh a remeshing leaves as it is, by ascending numbers.
 struct RequiredParts {

@@ -78,6 +78,10 @@ void check_input(const Domain& domain) {
   index = 0;
   for (const RegionSeed& seed : domain.regions) {
     check_coordinates(seed.point, "region seed " + text(index), index);
+    if (seed.region < min_region)
+      throw GeometryError("region seed " + text(index) + " has region " + text(seed.region) +
+                              "; regions are numbered from " + text(min_region),
+                          {index});
     ++index;
   }
   index = 0;

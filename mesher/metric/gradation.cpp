@@ -1,8 +1,11 @@
 #include "mesher/metric/gradation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
+#include <utility>
 
 #include "mesher/errors.h"
 
@@ -10,7 +13,7 @@ namespace parmesan {
 namespace {
 
 constexpr double relative_slack = 1e-6;
-constexpr int max_sweeps = 200;
+constexpr std::size_t most_visits = 200;  // of a vertex, on average
 
 // Neighbours of every vertex in compressed rows; an interior neighbour is listed twice.
 struct VertexNeighbors {
@@ -53,25 +56,28 @@ Gradation limit_gradation(const Mesh& mesh, std::span<const Metric> metrics, dou
   if (!(beta > 1.0)) throw InputError("the gradation must be greater than 1, not " + std::to_string(beta));
   if (metrics.size() != mesh.points.size()) throw InputError("gradation needs one metric per vertex");
   const VertexNeighbors neighbors = vertex_neighbors(mesh);
-  Gradation result{{metrics.begin(), metrics.end()}, 0, false};
-  std::vector<char> active(metrics.size(), 1);
+  Gradation result{{metrics.begin(), metrics.end()}, 0, true};
   std::vector<char> changed(metrics.size(), 0);
-  for (int sweep = 0; sweep < max_sweeps && !result.converged; ++sweep) {
-    std::vector<char> next(metrics.size(), 0);
-    result.converged = true;
-    for (std::size_t p = 0; p < metrics.size(); ++p) {
-      if (!active[p]) continue;
+  std::vector<std::size_t> active(metrics.size());
+  std::iota(active.begin(), active.end(), std::size_t{0});
+  for (std::size_t visits = 0; !active.empty() && result.converged;) {
+    std::vector<std::size_t> next;
+    for (const std::size_t p : active) {
       for (std::size_t k = neighbors.start[p]; k < neighbors.start[p + 1]; ++k) {
         const auto q = static_cast<std::size_t>(neighbors.vertex[k]);
         const Metric& from = result.metrics[p];
         const Metric spanned = from.scaled(growth_factor(from, mesh.points[q] - mesh.points[p], beta));
         if (at_least(result.metrics[q], spanned)) continue;
         result.metrics[q] = intersect(result.metrics[q], spanned);
-        next[q] = changed[q] = 1;
-        result.converged = false;
+        changed[q] = 1;
+        next.push_back(q);
       }
     }
-    active.swap(next);
+    visits += active.size();
+    std::ranges::sort(next);
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    active = std::move(next);
+    result.converged = visits < most_visits * metrics.size();
   }
   for (const char c : changed) result.num_changed += c;
   return result;

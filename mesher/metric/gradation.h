@@ -12,7 +12,7 @@ namespace parmesan {
 struct Gradation {
   std::vector<Metric> metrics;  // one per vertex
   int num_changed = 0;          // vertices whose metric was made finer
-  bool converged = true;        // false: the cap on sweeps was hit, the bound may fail on some edges
+  bool converged = true;        // false: 200 visits to each vertex were not enough, the bound may fail on some edges
 };
 
 /// How much a metric may have coarsened at the displacement d from where it is m:
@@ -23,11 +23,11 @@ double growth_factor(const Metric& m, const Vector& d, double beta);
 /// The coarsest metrics below the given ones with M_q >= eta^2(pq) M_p, in both directions, on every
 /// edge pq of the mesh, up to one part in 10^6.
 ///
-/// Each vertex is intersected with what its neighbours allow until nothing changes; changed vertices
-/// are kept in a queue in index order, so the result does not depend on anything but the input.
+/// Each vertex is intersected with what its neighbours allow until nothing changes, in sweeps over the vertices that
+/// the one before has changed, by their numbers.
 ///
 /// beta: growth of size per unit of metric length, > 1.
-/// Errors: InputError for beta <= 1 or a wrong number of metrics. Cost: O(n) per sweep, few sweeps.
+/// Errors: InputError for beta <= 1 or a wrong number of metrics. Cost: O(n), each vertex visited a few times.
 Gradation limit_gradation(const Mesh& mesh, std::span<const Metric> metrics, double beta);
 
 }  // namespace parmesan

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
@@ -88,6 +90,11 @@ double density_on_curve(double curvature, const Vector& d, const Metric& m) {
   return length * std::sqrt(0.5 * (1.0 + std::sqrt(1.0 + 4.0 * b * b)));
 }
 
+[[noreturn]] void refuse(std::int64_t max_vertices) {
+  throw LimitError("the metric asks for more than " + std::to_string(max_vertices) +
+                   " vertices on segments, and that is the limit");
+}
+
 }  // namespace
 
 int best_edge_count(double l) {
@@ -100,7 +107,7 @@ int wanted_edges(const Segment& segment, const SegmentMeasure& measure) {
 }
 
 SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint,
-                               std::span<const KnownDensity> known) {
+                               std::span<const KnownDensity> known, std::int64_t max_edges) {
   constexpr int first_intervals = 32;
   constexpr double far_finer = 4.0;
   constexpr double max_length = 0.25;
@@ -153,6 +160,7 @@ SegmentMeasure::SegmentMeasure(const ParticleSystem& particles, const Segment& s
     }
     parameters_.push_back(now.to);
     coordinates_.push_back(coordinates_.back() + mean * h);
+    if (total() > static_cast<double>(max_edges)) refuse(max_edges);
   }
 }
 
@@ -176,8 +184,10 @@ int SegmentMeasure::num_edges() const {
 double SegmentMeasure::coordinate_at(double t) const { return interpolate(parameters_, coordinates_, t); }
 double SegmentMeasure::parameter_at(double s) const { return interpolate(coordinates_, parameters_, s); }
 
-Boundary::Boundary(const ParticleSystem& particles) : measures_(particles.domain().segments.size()) {
+Boundary::Boundary(const ParticleSystem& particles, std::int64_t max_vertices)
+    : measures_(particles.domain().segments.size()) {
   const std::vector<ChainEdge> all = chains(particles);
+  std::int64_t num_edges = 0;
   for_each_chain(all, [&](std::size_t first, std::size_t last) {
     const Segment& segment = particles.domain().segments[at(all[first].segment)];
     std::vector<KnownDensity> known;
@@ -186,7 +196,10 @@ Boundary::Boundary(const ParticleSystem& particles) : measures_(particles.domain
       known.push_back({all[i].from, m.length(derivative_on(particles.domain(), segment, all[i].from))});
     }
     const MetricHint hint = particles.hint(particles.mesh().dest(all[last - 1].edge));
-    measures_[at(all[first].segment)].emplace_back(particles, segment, hint, known);
+    const SegmentMeasure& measure =
+        measures_[at(all[first].segment)].emplace_back(particles, segment, hint, known, max_vertices);
+    num_edges += wanted_edges(segment, measure);
+    if (num_edges > max_vertices) refuse(max_vertices);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,9 +22,9 @@ class SegmentMeasure {
   /// Adaptive quadrature of the field at the level of the particles: intervals are halved until
   /// each is shorter than a quarter of a unit edge and its density nearly linear. The first look-up, at
   /// the last point of the segment, starts at the hint. known: ascending; intervals end at those where the metric is
-  /// far finer than at the 32 places that are looked at first.
+  /// far finer than at the 32 places that are looked at first. Errors: LimitError beyond max_edges.
   SegmentMeasure(const ParticleSystem& particles, const Segment& segment, MetricHint hint = -1,
-                 std::span<const KnownDensity> known = {});
+                 std::span<const KnownDensity> known = {}, std::int64_t max_edges = 1'000'000'000);
 
   double total() const { return coordinates_.back(); }
 
@@ -46,8 +47,9 @@ class SegmentMeasure {
 /// integral of the metric gives count and places at once, so that neither oscillates.
 class Boundary {
  public:
-  /// Measures every segment that has edges in the triangulation. Valid for one level.
-  explicit Boundary(const ParticleSystem& particles);
+  /// Measures every segment that has edges in the triangulation. Valid for one level. Errors: LimitError when they
+  /// are to have more than max_vertices edges, which the metric's integral over triangles need not tell.
+  Boundary(const ParticleSystem& particles, std::int64_t max_vertices);
 
   /// Creates and annihilates particles until each segment has its count, where the triangulation
   /// allows it. Each edge is split at its particles' final places, each superfluous one collapsed. Legalizes

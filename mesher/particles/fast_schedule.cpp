@@ -29,7 +29,7 @@ class FastSchedule {
         options_(options),
         rules_(with_choices({}, options.particles)),
         outlier_rules_(with_choices(outlier_rules, options.particles)),
-        boundary_(particles) {
+        boundary_(particles, options.max_vertices) {
     if (!has_default_forces(options.particles)) forces_ = &options.particles;
   }
 

@@ -9,7 +9,8 @@
 
 namespace parmesan {
 
-ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field)
+ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field,
+                               const Level& level)
     : mesh_(std::move(triangulation)), domain_(&domain), field_(&field) {
   const auto n = static_cast<std::size_t>(mesh_.num_slots());
   const auto fill = [n](auto& array, auto value) {
@@ -23,7 +24,7 @@ ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain
   std::iota(place_.begin(), place_.end(), 0);
   bind_to_segments();
   fix_isolated_points();
-  set_level({});
+  set_level(level);
 }
 
 // A vertex that is an end of its segment is a domain point; other vertices of a segment slide on it.
@@ -48,14 +49,13 @@ void ParticleSystem::fix_isolated_points() {
   std::vector<bool> on_segment(domain_->points.size(), false);
   for (const Segment& s : domain_->segments)
     on_segment[static_cast<std::size_t>(s.a)] = on_segment[static_cast<std::size_t>(s.b)] = true;
-  const auto before = [](const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::vector<Point> isolated;
   for (std::size_t i = 0; i < on_segment.size(); ++i)
     if (!on_segment[i]) isolated.push_back(domain_->points[i]);
   if (isolated.empty()) return;
-  std::sort(isolated.begin(), isolated.end(), before);
+  std::sort(isolated.begin(), isolated.end(), comes_before);
   for (VertexId v = 0; v < mesh_.num_slots(); ++v) {
-    if (mesh_.has_vertex(v) && std::binary_search(isolated.begin(), isolated.end(), mesh_.point(v), before))
+    if (mesh_.has_vertex(v) && std::binary_search(isolated.begin(), isolated.end(), mesh_.point(v), comes_before))
       binding_[static_cast<std::size_t>(v)] = fixed_particle;
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "mesher/geometry/domain.h"
@@ -19,9 +20,18 @@ inline constexpr Binding fixed_particle = -2;
 /// Units: positions in L, metrics in L^-2.
 class ParticleSystem {
  public:
+  /// While coarser levels are meshed, the field is multiplied by this factor, and may be replaced by its isotropic
+  /// part.
+  struct Level {
+    double scale = 1.0;
+    bool isotropic = false;
+  };
+
   /// Takes over a triangulation whose constrained edges carry segment indices of the domain.
   /// field and domain are referred to, not copied.
-  ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field);
+  ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field)
+      : ParticleSystem(std::move(triangulation), domain, field, Level{}) {}
+  ParticleSystem(Triangulation triangulation, const Domain& domain, const MetricField& field, const Level& level);
 
   Triangulation& mesh() { return mesh_; }
   const Triangulation& mesh() const { return mesh_; }
@@ -59,12 +69,7 @@ class ParticleSystem {
   /// The metric that a particle at p near v would feel.
   Metric metric_near(VertexId v, const Point& p) const;
 
-  /// While coarser levels are meshed, the field is multiplied by this factor, and may be replaced
-  /// by its isotropic part. All metrics are re-evaluated.
-  struct Level {
-    double scale = 1.0;
-    bool isotropic = false;
-  };
+  /// All metrics are re-evaluated.
   void set_level(const Level& level);
   const Level& level() const { return level_; }
 

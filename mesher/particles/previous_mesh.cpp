@@ -1,7 +1,10 @@
 #include "mesher/particles/previous_mesh.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
@@ -106,6 +109,78 @@ std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const 
   }
   const bool all = std::none_of(segment_of.begin(), segment_of.end(), [](int s) { return s < 0; });
   return all ? std::optional(std::move(segment_of)) : std::nullopt;
+}
+
+namespace {
+
+/// The regions of a triangulated domain beside its segments.
+class RegionsBeside {
+ public:
+  using Sides = std::array<std::optional<int>, 2>;  // left and right of a segment; none: outside
+
+  /// Of a mesh whose edges are labelled with segments.
+  RegionsBeside(const Mesh& mesh, const Domain& domain) : mesh_(mesh), sides_(domain.segments.size()) {
+    std::vector<char> is_on_edge(mesh.points.size(), 0);
+    for (int e = 0; e < mesh.num_edges(); ++e) {
+      const auto& [a, b] = mesh.edges[at(e)];
+      is_on_edge[at(a)] = is_on_edge[at(b)] = 1;
+      edge_between_[std::minmax(a, b)] = e;
+      const Segment& segment = domain.segments[at(mesh.labels[at(e)])];
+      goes_along_.push_back(parameter_on(domain, segment, mesh.points[at(a)]) <
+                            parameter_on(domain, segment, mesh.points[at(b)]));
+    }
+    for (int t = 0; t < mesh.num_triangles(); ++t) {
+      const auto& corners = mesh.triangles[at(t)];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int from = corners[k], to = corners[(k + 1) % 3];
+        if (is_on_edge[at(from)] != 0 && is_on_edge[at(to)] != 0) note(from, to, mesh.regions[at(t)]);
+      }
+    }
+  }
+
+  const std::vector<Sides>& all() const { return sides_; }
+
+ private:
+  void note(int from, int to, int region) {
+    const auto found = edge_between_.find(std::minmax(from, to));
+    if (found == edge_between_.end()) return;
+    const int e = found->second;
+    const bool is_left = (mesh_.edges[at(e)][0] == from) == (goes_along_[at(e)] != 0);
+    sides_[at(mesh_.labels[at(e)])][is_left ? 0 : 1] = region;
+  }
+
+  const Mesh& mesh_;
+  std::map<std::pair<int, int>, int> edge_between_;
+  std::vector<char> goes_along_;  // its segment, each edge
+  std::vector<Sides> sides_;
+};
+
+bool has_isolated_points(const Mesh& mesh, const Mesh& sites) {
+  std::vector<char> is_isolated(sites.points.size(), 1);
+  for (const auto& [a, b] : sites.edges) is_isolated[at(a)] = is_isolated[at(b)] = 0;
+  std::vector<Point> isolated;
+  for (std::size_t v = 0; v < is_isolated.size(); ++v)
+    if (is_isolated[v] != 0) isolated.push_back(sites.points[v]);
+  std::ranges::sort(isolated, comes_before);
+  const auto is_one = [&](const Point& p) { return std::ranges::binary_search(isolated, p, comes_before); };
+  return isolated.empty() || std::ranges::count_if(mesh.points, is_one) == std::ssize(isolated);
+}
+
+}  // namespace
+
+bool take_regions(Mesh& mesh, const Mesh& sites, const Domain& domain) {
+  if (!has_isolated_points(mesh, sites)) return false;
+  const RegionsBeside found(mesh, domain), wanted(sites, domain);
+  std::map<int, int> new_region;
+  for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+    for (const std::size_t side : {0U, 1U}) {
+      const std::optional<int> from = found.all()[s][side], to = wanted.all()[s][side];
+      if (from.has_value() != to.has_value()) return false;
+      if (from && new_region.try_emplace(*from, *to).first->second != *to) return false;
+    }
+  }
+  for (int& region : mesh.regions) region = new_region.at(region);
+  return true;
 }
 
 }  // namespace parmesan

@@ -15,7 +15,7 @@ namespace {
 // While carving, faces carry how many constraints part them from infinity; unknown at first. Before
 // regions are painted all inside faces carry inside_face.
 constexpr std::int32_t unknown = -1;
-constexpr std::int32_t inside_face = outside_face + 1;
+constexpr std::int32_t inside_face = outside_face + 1;  // below min_region
 
 /// Numbers faces by the constraints between them and infinity: 0 is outside.
 void number_layers(Triangulation& t) {

@@ -142,7 +142,10 @@ std::vector<EdgeId> remove_star(Triangulation& t, VertexId v) {
   for (const EdgeId spoke : spokes) t.remove_edge(spoke);
   t.remove_isolated_vertex(v);
   for (const EdgeId side : cavity.chain) t.set_left(side, cavity.closed ? region : outside_face);
-  return cut_ears(t, std::move(cavity), region);
+  std::vector<EdgeId> changed = cavity.chain;
+  const std::vector<EdgeId> lids = cut_ears(t, std::move(cavity), region);
+  changed.insert(changed.end(), lids.begin(), lids.end());
+  return changed;
 }
 
 std::vector<EdgeId> star_edges(const Triangulation& t, VertexId v) {

@@ -15,7 +15,8 @@ VertexId join_to_hull(Triangulation& t, EdgeId hull_edge, const Point& p);
 VertexId obstacle_to_split(const Triangulation& t, EdgeId e, const Point& p);
 
 /// Takes v, which ends no constraint, out of the triangulation and fills its star by cutting ears
-/// (thesis 2.5.4). On the hull the remaining chain is made convex. Returns the edges to legalize.
+/// (thesis 2.5.4). On the hull the remaining chain is made convex. Returns the edges to legalize: the sides of the hole
+/// and those that fill it.
 ///
 /// Errors: GeometryError when only collinear sites would be left. Cost: O(degree^3).
 std::vector<EdgeId> remove_star(Triangulation& t, VertexId v);

@@ -232,6 +232,15 @@ TEST_CASE("a mesh with holes, segments and points keeps them when its error is l
   CHECK(oracle::area_of(mesh) == Approx(1.0 - 0.065).epsilon(1e-12));
 }
 
+TEST_CASE("the limit of vertices holds on segments, where the integral of the metric does not see them",
+          "[mesher][generate][errors]") {
+  Domain strip;
+  support::add_polygon(strip, {{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}}, 1);
+  CHECK_THROWS_AS(generate(strip, ConstantField(Metric::isotropic(1e-4)), {.max_vertices = 1000}), LimitError);
+  const CallableField at_side([](const Point& p) { return Metric::isotropic(std::max(1e-12, 0.5 * p.y)); });
+  CHECK_THROWS_AS(generate(support::unit_square(), at_side), LimitError);
+}
+
 TEST_CASE("a strip a hundred times as long in its cells as it is wide has two chains of edges, and the best triangles",
           "[mesher][generate]") {
   constexpr double width = 1e-6, size = 1e-4;

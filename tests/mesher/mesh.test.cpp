@@ -146,6 +146,14 @@ TEST_CASE("validate names what is wrong and where", "[mesher][mesh][errors]") {
   }
 }
 
+TEST_CASE("validate refuses numbers of regions that stand for none", "[mesher]") {
+  Mesh mesh = two_triangles();
+  mesh.regions[1] = min_region;
+  CHECK_NOTHROW(validate(mesh));
+  mesh.regions[1] = min_region - 1;
+  CHECK_THROWS_WITH(validate(mesh), Contains("triangle 1 has region -2147483647; regions are numbered from"));
+}
+
 TEST_CASE("the independent checker sees every damage that validate refuses", "[mesher][mesh][oracle]") {
   CHECK(oracle::problems_of(two_triangles()).empty());
   for (const Damage& d : damages()) {

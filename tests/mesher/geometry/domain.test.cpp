@@ -293,6 +293,8 @@ TEST_CASE("clean refuses seeds on segments and at points", "[mesher][domain][err
   CHECK_THAT(error_of(domain), Contains("region seed 0 lies on segment 1"));
   domain.regions = {{{1.0, 1.0}, 2}};
   CHECK_THAT(error_of(domain), Contains("region seed 0 lies at a point"));
+  domain.regions = {{{0.5, 0.5}, min_region - 1}};
+  CHECK_THAT(error_of(domain), Contains("region seed 0 has region -2147483647; regions are numbered from"));
 }
 
 TEST_CASE("clean applied twice changes nothing more", "[mesher][domain]") {

@@ -93,6 +93,22 @@ TEST_CASE("growth_factor is 1 at no distance and falls with it", "[mesher][metri
   CHECK(growth_factor(m, {0.3, 0.4}, 3.0) == Approx(std::pow(1.0 + std::log(3.0), -2.0)).epsilon(1e-14));
 }
 
+TEST_CASE("limit_gradation goes on over any number of rings", "[mesher][metric]") {
+  // Against the order of the vertices, so that a front passes one ring of edges in each sweep.
+  constexpr int columns = 1000;
+  const Mesh mesh = support::rectangle_mesh(columns, 1);
+  std::vector<Metric> asked(mesh.points.size(), Metric::isotropic(1.0));
+  for (std::size_t v = 0; v < asked.size(); ++v)
+    if (mesh.points[v].x == 1.0) asked[v] = Metric::isotropic(1e-3);
+  const double rate = 1e-2;
+  const Gradation graded = limit_gradation(mesh, asked, std::exp(rate));
+  CHECK(graded.converged);
+  // dh/dx = rate, by edges of 1/1000 at first.
+  const std::size_t first = 0;
+  REQUIRE(mesh.points[first].x == 0.0);
+  CHECK(1.0 / std::sqrt(graded.metrics[first].tensor().xx) == Approx(1e-3 + rate).epsilon(0.01));
+}
+
 TEST_CASE("limit_gradation refuses what it cannot use", "[mesher][metric][errors]") {
   const Mesh mesh = support::rectangle_mesh(2, 2);
   const std::vector<Metric> metrics(mesh.points.size());

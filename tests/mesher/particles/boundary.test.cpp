@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/particles/metric_flips.h"
@@ -56,7 +57,7 @@ TEST_CASE("match_counts gives every segment its count, targets are equidistant i
   const Domain domain = support::square_with_everything();
   const CallableField field([](const Point& p) { return Metric::isotropic(0.02 + 0.1 * p.x); });
   ParticleSystem particles(triangulate(domain), domain, field);
-  const Boundary boundary(particles);
+  const Boundary boundary(particles, 1000);
   boundary.match_counts(particles);
   CHECK(check(particles.mesh()).empty());
   CHECK(flip_all(particles) == 0);
@@ -69,12 +70,12 @@ TEST_CASE("match_counts gives every segment its count, targets are equidistant i
     CHECK(targets[static_cast<std::size_t>(v)] > 0.0);
     CHECK(targets[static_cast<std::size_t>(v)] < 1.0);
   }
-  for (std::size_t s = 0; s < domain.segments.size(); ++s)
-    CHECK(bound[s] == best_edge_count(SegmentMeasure(particles, domain.segments[s]).total()) - 1);
+  // Sides of length 10 ln 6 = 17.9, 1 / 0.12 = 8.3, 17.9 and 1 / 0.02 = 50.
+  CHECK(std::vector<int>(bound.begin(), bound.begin() + 4) == std::vector<int>{17, 7, 17, 49});
 
   SECTION("a coarser level takes the superfluous ones away again") {
     particles.set_level({1.0 / 64.0, false});
-    const Boundary coarser(particles);
+    const Boundary coarser(particles, 1000);
     for (int pass = 0; pass < 8; ++pass) {
       coarser.match_counts(particles);
       flip_all(particles);
@@ -85,6 +86,17 @@ TEST_CASE("match_counts gives every segment its count, targets are equidistant i
       if (particles.mesh().has_vertex(v) && particles.binding(v) >= 0) ++left;
     CHECK(left <= 12);
   }
+}
+
+TEST_CASE("more edges on segments than vertices allowed are refused before they are made", "[mesher][particles]") {
+  const Domain domain = support::unit_square();
+  const ConstantField field(Metric::isotropic(1e-8));
+  const ParticleSystem particles(triangulate(domain), domain, field);
+  CHECK_THROWS_AS(SegmentMeasure(particles, domain.segments[0], -1, {}, 1000), LimitError);
+  ParticleSystem coarse(triangulate(domain), domain, field);
+  coarse.set_level({1e-12, true});  // a hundred edges on each side
+  CHECK_THROWS_AS(Boundary(coarse, 399), LimitError);
+  CHECK_NOTHROW(Boundary(coarse, 400));
 }
 
 TEST_CASE("SegmentMeasure integrates the metric along an arc, and counts edges by their chords",
@@ -147,7 +159,7 @@ TEST_CASE("match_counts divides chords with particles between them and their arc
   for (const int label : coarse.labels) segments.push_back(label - 1);
   const Domain domain = clean(curved).domain;
   ParticleSystem particles(from_mesh(coarse, segments), domain, field);
-  const Boundary boundary(particles);
+  const Boundary boundary(particles, 100000);
   for (int pass = 0; pass < 4; ++pass) boundary.match_counts(particles);
   CHECK(check(particles.mesh()).empty());
   int edges = 0;

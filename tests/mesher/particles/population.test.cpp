@@ -8,6 +8,8 @@
 #include "mesher/particles/metric_flips.h"
 #include "mesher/triangulation/check.h"
 #include "mesher/triangulation/conversion.h"
+#include "mesher/triangulation/locate.h"
+#include "mesher/triangulation/triangulate.h"
 #include "tests/support/domains.h"
 #include "tests/support/meshes.h"
 #include "tests/support/particles.h"
@@ -102,6 +104,17 @@ TEST_CASE("the limit on vertices is kept", "[mesher][particles][errors]") {
   ParticleSystem particles = support::grid_particles(10, domain, field);
   CHECK_THROWS_AS(create_particles(particles, {}, 150), LimitError);
   CHECK(particles.mesh().num_vertices() <= 150);
+  CHECK(check(particles.mesh()).empty());
+}
+
+TEST_CASE("a particle that is removed from the middle of one triangle is counted", "[mesher][particles]") {
+  Domain domain;
+  support::add_polygon(domain, {{0, 0}, {1, 0}, {0.5, 0.9}}, 1);
+  const ConstantField field(Metric::isotropic(2.0));
+  ParticleSystem particles(triangulate(domain), domain, field);
+  particles.create_in_face(some_inside_edge(particles.mesh()), {0.5, 0.3});
+  CHECK(annihilate_particles(particles, {.annihilation = Annihilation::Removal}) == 1);
+  CHECK(particles.mesh().num_vertices() == 3);
   CHECK(check(particles.mesh()).empty());
 }
 
