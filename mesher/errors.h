@@ -38,6 +38,12 @@ class FileError : public InputError {
   int line_;
 };
 
+/// A file can be parsed, but a number in it cannot be: it is not finite, refers to nothing, or is no metric. Exit code 3.
+class FileValueError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 /// A safety limit (vertices, memory, time) would be or was exceeded. Exit code 8.
 class LimitError : public InputError {
  public:

@@ -56,6 +56,18 @@ void check_size(double expected, std::int64_t max_vertices) {
                    " vertices; the limit is " + std::to_string(max_vertices));
 }
 
+FastScheduleOptions effort_of(const GenerateOptions& options) {
+  FastScheduleOptions effort{.further_rounds = 12};  // good
+  if (options.preset == Preset::Mid)
+    effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 4, .final_apex_sweeps = 2};
+  if (options.preset == Preset::Fast)
+    effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 2, .final_apex_sweeps = 1};
+  effort.max_vertices = options.max_vertices;
+  effort.particles = options.particles;
+  effort.momentum = options.particles.momentum.value_or(effort.momentum);
+  return effort;
+}
+
 /// A mesh, its edges labelled with segments, and what its particles feel.
 struct Relaxed {
   Mesh mesh;
@@ -224,7 +236,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   const Outline outline = outline_of(domain);
   limit_chord_errors(domain, outline, options.chord_error);
   result.report.warnings = std::move(cleaned.repairs);
-  const FastScheduleOptions effort = fast_schedule_options(options);
+  const FastScheduleOptions effort = effort_of(options);
   const bool by_thesis = options.schedule == Schedule::Thesis;
   validate(options.particles);
 

@@ -11,6 +11,7 @@ struct Histogram {
   std::vector<long> counts;    // n
 };
 
+/// bounds: ascending, two at least. Cost: O(log n) for each value.
 Histogram histogram(std::span<const double> values, std::vector<double> bounds);
 
 /// n + 1 numbers from low to high with equal steps, or with equal ratios (low must be positive).

@@ -259,7 +259,7 @@ OutlineResult ChordSearch::run() {
     }
     halve();
   }
-  return {{}, CurveConflict{}};
+  return {{}, last_};
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ void check_coordinates(const Point& p, const std::string& what, int index) {
     throw GeometryError(what + " has a coordinate that is not finite: " + text(p), {index});
   }
   if (std::max(std::abs(p.x), std::abs(p.y)) > max_coordinate) {
-    throw GeometryError(
-        what + " is at " + text(p) + "; coordinates may reach " + text(max_coordinate) + ": scale the domain", {index});
+    throw InputError(what + " is at " + text(p) + "; coordinates may reach " + text(max_coordinate) +
+                     ": scale the domain");
   }
 }
 
@@ -108,7 +108,7 @@ void require_extent(const DomainRepair& repair) {
   }
   const double diameter = bounding_diagonal(points);
   if (diameter < min_diameter) {
-    throw GeometryError("the domain's diameter is " + text(diameter) + "; it must be at least " + text(min_diameter) +
+    throw InputError("the domain's diameter is " + text(diameter) + "; it must be at least " + text(min_diameter) +
                         ": scale the domain");
   }
 }

@@ -27,6 +27,10 @@ void ByteReader::fail(const std::string& problem) const {
   throw FileError(*name_, 0, "at byte " + std::to_string(last_) + ": " + problem);
 }
 
+void ByteReader::fail_value(const std::string& problem) const {
+  throw FileValueError(*name_, 0, "at byte " + std::to_string(last_) + ": " + problem);
+}
+
 void ByteReader::fail_at_end(const char* what) const {
   fail(std::string("the file ends where ") + what + " should be; is it cut off?");
 }

@@ -47,7 +47,7 @@ class ByteReader {
   template <class Number>
   double real(const char* what) {
     const Number value = read<Number>(what);
-    if (!std::isfinite(value)) fail(std::string(what) + " is not finite");
+    if (!std::isfinite(value)) fail_value(std::string(what) + " is not finite");
     return static_cast<double>(value);
   }
 
@@ -59,6 +59,9 @@ class ByteReader {
 
   /// Throws FileError at the last thing read.
   [[noreturn]] void fail(const std::string& problem) const;
+
+  /// The same with FileValueError.
+  [[noreturn]] void fail_value(const std::string& problem) const;
 
  private:
   [[noreturn]] void fail_at_end(const char* what) const;

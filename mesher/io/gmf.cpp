@@ -71,7 +71,7 @@ int GmfReader::wide_integer(const char* what) {
 }
 
 void GmfReader::fail_index(const char* what, int value, int size) const {
-  in_.fail(std::string(what) + " is " + std::to_string(value) + ", must be from 1 to " + std::to_string(size));
+  in_.fail_value(std::string(what) + " is " + std::to_string(value) + ", must be from 1 to " + std::to_string(size));
 }
 
 GmfWriter::GmfWriter(OutputFile& out, std::size_t bytes) : out_(out), is_long_(bytes > largest_short_place) {

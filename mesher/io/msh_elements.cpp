@@ -19,7 +19,7 @@ void read_nodes(MshInput& in, const TagMap& node_tags, std::int64_t tag, MshGrou
   for (int& node : nodes) {
     const std::int64_t node_tag = read_node();
     node = node_tags.index(node_tag);
-    if (node < 0) in.fail("there is no node " + std::to_string(node_tag));
+    if (node < 0) in.fail_value("there is no node " + std::to_string(node_tag));
   }
   elements.tags.push_back(tag);
   elements.nodes.push_back(nodes);

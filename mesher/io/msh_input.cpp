@@ -85,4 +85,9 @@ void MshInput::fail(const std::string& problem) const {
   text_.fail(problem);
 }
 
+void MshInput::fail_value(const std::string& problem) const {
+  if (is_binary_ && in_bytes_) bytes_.fail_value(problem);
+  text_.fail_value(problem);
+}
+
 }  // namespace parmesan

@@ -46,6 +46,9 @@ class MshInput {
   /// Throws at the last word or number, or at the name of the section.
   [[noreturn]] void fail(const std::string& problem) const;
 
+  /// The same with FileValueError.
+  [[noreturn]] void fail_value(const std::string& problem) const;
+
  private:
   void read_format();
   std::size_t fitting(std::int64_t value, const char* what, std::size_t words_each);

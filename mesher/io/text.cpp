@@ -24,10 +24,11 @@ std::string describe(std::string_view word) {
   return "'" + std::string(word.substr(0, 32)) + (word.size() > 32 ? "...'" : "'");
 }
 
+/// nan, inf, or beyond double precision.
 bool is_not_finite_number(std::string_view word) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() && !std::isfinite(value);
+  return end == word.data() + word.size() && (error == std::errc::result_out_of_range || !std::isfinite(value));
 }
 
 }  // namespace
@@ -158,22 +159,25 @@ int TextReader::index(const char* what, int base, int size) {
     const std::string allowed = size == 0 ? "there are none"
                                           : "must be from " + std::to_string(base) + " to " +
                                                 std::to_string(static_cast<std::int64_t>(base) + size - 1);
-    fail(std::string(what) + " is " + std::to_string(value) + ", " + allowed);
+    fail_value(std::string(what) + " is " + std::to_string(value) + ", " + allowed);
   }
   return value - base;
 }
 
-void TextReader::fail(const std::string& problem) const {
-  throw FileError(*name_, 1 + static_cast<int>(std::count(text_.data(), word_, '\n')), problem);
-}
+int TextReader::line() const { return 1 + static_cast<int>(std::count(text_.data(), word_, '\n')); }
+
+void TextReader::fail(const std::string& problem) const { throw FileError(*name_, line(), problem); }
+
+void TextReader::fail_value(const std::string& problem) const { throw FileValueError(*name_, line(), problem); }
 
 void TextReader::fail_number(const char* what, const char* wanted) const {
   const char* end = word_;
   while (!ends_word(end)) ++end;
   const std::string_view found(word_, static_cast<std::size_t>(end - word_));
   const bool comma = found.find(',') != std::string_view::npos;
-  fail(std::string(what) + " must be " + wanted + ", found " + describe(found) +
-       (comma ? "; the decimal mark is a point" : ""));
+  const std::string problem = std::string(what) + " must be " + wanted + ", found " + describe(found) +
+                              (comma ? "; the decimal mark is a point" : "");
+  is_not_finite_number(found) ? fail_value(problem) : fail(problem);
 }
 
 std::string file_suffix(const std::string& path) {

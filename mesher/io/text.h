@@ -21,7 +21,8 @@ std::string read_file(const std::string& path, std::uint64_t max_bytes = max_fil
 /// Words are separated by blanks (spaces, tabs, line ends with or without carriage return); '#'
 /// starts a comment that ends with its line; a UTF-8 byte order mark at the start is skipped.
 /// The locale plays no part. A copy is a bookmark: it goes on from where the original stood.
-/// Errors: every function throws FileError with the line; messages never quote the text, except
+/// Errors: every function throws FileError with the line, a FileValueError for numbers that are not finite and for
+/// indices that are out of range; messages never quote the text, except
 /// for characters that numbers are made of. The text must outlive the reader.
 class TextReader {
  public:
@@ -65,10 +66,14 @@ class TextReader {
   /// Throws FileError at the line where the last word, or a missing one, stands.
   [[noreturn]] void fail(const std::string& problem) const;
 
+  /// The same with FileValueError.
+  [[noreturn]] void fail_value(const std::string& problem) const;
+
  private:
   void skip_blanks();
   void start_word(const char* what);
   bool ends_word(const char* position) const;
+  int line() const;  // of the last word
   [[noreturn]] void fail_number(const char* what, const char* wanted) const;
   double unusual_real(const char* what);
 

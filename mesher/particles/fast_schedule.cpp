@@ -126,18 +126,6 @@ void FastSchedule::run() {
 
 }  // namespace
 
-FastScheduleOptions fast_schedule_options(const GenerateOptions& options) {
-  FastScheduleOptions effort{.further_rounds = 12};  // good
-  if (options.preset == Preset::Mid)
-    effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 4, .final_apex_sweeps = 2};
-  if (options.preset == Preset::Fast)
-    effort = {.rounds = 2, .sweeps_per_round = 1, .final_force_sweeps = 2, .final_apex_sweeps = 1};
-  effort.max_vertices = options.max_vertices;
-  effort.particles = options.particles;
-  effort.momentum = options.particles.momentum.value_or(effort.momentum);
-  return effort;
-}
-
 void run_fast_schedule(ParticleSystem& particles, const FastScheduleOptions& options) {
   FastSchedule(particles, options).run();
 }

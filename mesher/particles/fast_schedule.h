@@ -1,6 +1,8 @@
 #pragma once
 
-#include "mesher/generate.h"
+#include <cstdint>
+
+#include "mesher/particles/particle_options.h"
 #include "mesher/particles/particle_system.h"
 
 namespace parmesan {
@@ -18,8 +20,6 @@ struct FastScheduleOptions {
   ParticleOptions particles = {};  // forces, and how particles come and go
   std::int64_t max_vertices = 10'000'000;
 };
-
-FastScheduleOptions fast_schedule_options(const GenerateOptions& options);
 
 /// Brings particles to equilibrium: every edge near metric length 1.
 ///

@@ -8,10 +8,9 @@ namespace parmesan {
 ///
 ///     sum over triangles (1 - q)^2 + 10 max(0, 0.65 - Q)^2 + 3 sum over edges max(0, |ln l| - ln 1.34)^2
 ///
-/// is smallest: q is a triangle's mean ratio in the mean of its vertex metrics, Q in the densest of them, if
-/// that is at most 1.5 times as dense as another; lengths are
-/// those of metric_edge_length. A search in eight directions of the metric,
-/// by steps of 0.15 and less.
+/// is smallest: q is a triangle's mean ratio in the mean of its vertex metrics, Q in the densest of them, counted where
+/// it is above 0.5; lengths are those of metric_edge_length. A search in eight directions of the metric, by steps of
+/// 0.15 and less.
 Point best_place_near(const ParticleSystem& particles, const Star& star, VertexId v);
 
 /// Moves the free particles that have an edge longer than 1.34 or shorter than 1 / 1.34, or a triangle of q under 0.7

@@ -12,7 +12,7 @@ namespace parmesan {
 /// at once, or in the next sweep that updates. Near equilibrium every second sweep is enough.
 enum class Update { Now, Later };
 
-/// Moves v by step, halved up to four times, if the star allows it: afterwards every triangle has
+/// Moves v by step, halved up to three times, if the star allows it: afterwards every triangle has
 /// quality of at least 0.3, or the worst of them has become better. Returns whether it moved.
 bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vector& step, Update update);
 

@@ -123,14 +123,4 @@ void carve(Triangulation& t, const Domain& domain) {
   paint_regions(t, domain.regions, regions);
 }
 
-std::vector<int> missing_segments(const Triangulation& t, const Domain& domain) {
-  std::vector<char> carried(domain.segments.size(), 0);
-  for (std::int32_t q = 0; q < t.size(); ++q)
-    if (t.is_alive(q) && t.is_constrained({4 * q})) carried[static_cast<std::size_t>(t.segment({4 * q}))] = 1;
-  std::vector<int> missing;
-  for (std::size_t s = 0; s < carried.size(); ++s)
-    if (carried[s] == 0) missing.push_back(static_cast<int>(s));
-  return missing;
-}
-
 }  // namespace parmesan

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "mesher/geometry/domain.h"
 #include "mesher/triangulation/triangulation.h"
 
@@ -18,8 +16,5 @@ namespace parmesan {
 /// Errors: GeometryError naming a seed that lies outside, on a segment, or in a region that has
 /// another number already; or, when nothing is left, an open end of the boundary. Cost: O(n).
 void carve(Triangulation& t, const Domain& domain);
-
-/// The segments that no edge carries, in order: after carving those that lay outside. Cost: O(n).
-std::vector<int> missing_segments(const Triangulation& t, const Domain& domain);
 
 }  // namespace parmesan

@@ -135,9 +135,9 @@ struct PointTriangulation {
 /// Delaunay triangulation of the convex hull of the points. Vertex ids are point indices, a
 /// duplicate's slot is empty; all faces carry region 0; hull edges are free.
 ///
-/// Points come in Hilbert order, every 64th first, then every 8th, then all others: so the walks
+/// Points come in Hilbert order, one of each 64 first, then one of each 8, then all others: so the walks
 /// are short and hull triangles never become many. Errors: GeometryError for fewer than three
-/// non-collinear points. Cost: O(n log n) for the order, then O(n) expected.
+/// non-collinear points. Cost: O(n) expected.
 PointTriangulation delaunay(std::span<const Point> points);
 
 }  // namespace parmesan

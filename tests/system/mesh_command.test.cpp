@@ -437,6 +437,34 @@ TEST_CASE("mesh turns a mesh seen from below, and refuses one that is turned in 
   CHECK_THAT(mixed.err, Catch::Contains("triangle 0 is clockwise"));
 }
 
+TEST_CASE("numbers that cannot be end with 3, files that cannot be parsed with 7", "[system][mesh][errors]") {
+  const TemporaryFolder folder;
+  const auto code_with = [&](const std::string& name, std::string text, const std::string& old,
+                             const std::string& now) {
+    REQUIRE(text.find(old) != std::string::npos);
+    folder.write(name, text.replace(text.find(old), old.size(), now));
+    const ProgramResult result = run_program({"mesh", name, "--size", "0.5", "-o", "out.mesh"}, folder.path());
+    INFO(result.err);
+    CHECK_THAT(result.err, Catch::StartsWith("parmesan: error: " + name));
+    return result.exit_code;
+  };
+  const std::string poly = "a.poly", mesh = "a.mesh", msh = "a.msh";
+  const std::string msh_text =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+      "$Elements\n1\n1 2 2 0 0 1 2 3\n$EndElements\n";
+  for (const char* number : {"nan", "inf", "1e999", "1e141"}) {
+    CHECK(code_with(poly, square_poly, "3 1 1", std::string("3 1 ") + number) == 3);
+    CHECK(code_with(mesh, background, "1 1 0", std::string(number) + " 1 0") == 3);
+    CHECK(code_with(msh, msh_text, "2 1 0 0", std::string("2 ") + number + " 0 0") == 3);
+  }
+  CHECK(code_with(poly, square_poly, "2 2 3", "2 2 5") == 3);
+  CHECK(code_with(mesh, background, "1 2 3 0", "0 2 3 0") == 3);
+  CHECK(code_with(msh, msh_text, "1 2 3", "1 2 4") == 3);
+  CHECK(code_with(poly, square_poly, "3 1 1", "3 1 x") == 7);
+  CHECK(code_with(mesh, background, "End\n", "") == 7);
+  CHECK(code_with(msh, msh_text, "$EndElements\n", "") == 7);
+}
+
 TEST_CASE("sizes that no metric can have are refused with the range", "[system][mesh]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("square.poly", square_poly);

@@ -29,6 +29,8 @@ ExitCode report_current_exception(const std::string& file) {
     throw;
   } catch (const GeometryError& e) {
     return fail(ExitCode::BadGeometry, e.what());
+  } catch (const FileValueError& e) {
+    return fail(ExitCode::BadCase, e.what());
   } catch (const FileError& e) {
     return fail(ExitCode::FileProblem, e.what());
   } catch (const LimitError& e) {

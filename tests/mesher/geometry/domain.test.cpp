@@ -46,7 +46,7 @@ std::string all_repairs(const CleanDomain& cleaned) {
 std::string error_of(const Domain& domain) {
   try {
     clean(domain);
-  } catch (const GeometryError& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
   return "";

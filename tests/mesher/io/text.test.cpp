@@ -85,6 +85,20 @@ TEST_CASE("TextReader names the line of what it refuses", "[mesher][io][errors]"
         "some.txt:1: the number must be a finite number, found '0,5'; the decimal mark is a point");
 }
 
+TEST_CASE("TextReader tells values that cannot be from words that are none", "[mesher][io][errors]") {
+  using parmesan::FileValueError;
+  for (const char* text : {"nan", "-inf", "NaN", "1e999", "-1e400"}) CHECK_THROWS_AS(real_in(text), FileValueError);
+  CHECK_THROWS_AS(TextReader("7", name).index("the point", 1, 6), FileValueError);
+  for (const char* text : {"", "x", "1,5", "nano"}) {
+    CHECK_THROWS_AS(real_in(text), FileError);
+    try {
+      real_in(text);
+    } catch (const FileError& error) {
+      CHECK(dynamic_cast<const FileValueError*>(&error) == nullptr);
+    }
+  }
+}
+
 TEST_CASE("TextReader never prints what it does not understand", "[mesher][io][errors]") {
   const std::string message = error_message([] { integer_in("root:x:0:0:\x1b[2J\x01\xff"); });
   CHECK(message == "some.txt:1: the number must be a whole number within 32 bits, found something else");
