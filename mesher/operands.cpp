@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/curve_crossings.h"
+#include "mesher/geometry/kept_points.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
@@ -21,20 +19,17 @@ constexpr double chord_share = 1e-4;
 
 /// The number of segments between each face and the unbounded one, at least.
 std::vector<int> layers_of(const Domain& domain, const Faces& faces) {
-  std::vector<std::vector<int>> neighbors(at(faces.count()));
-  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) {
-    const auto& [left, right] = faces.beside(s);
-    neighbors[at(left)].push_back(right);
-    neighbors[at(right)].push_back(left);
-  }
-  std::vector<int> layers(neighbors.size(), -1);
+  const std::vector<std::vector<int>> around = segments_around(static_cast<int>(domain.segments.size()), faces);
+  std::vector<int> layers(around.size(), -1);
   std::vector<int> reached{0};
   layers[0] = 0;
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    for (const int face : neighbors[at(reached[i])]) {
-      if (layers[at(face)] >= 0) continue;
-      layers[at(face)] = layers[at(reached[i])] + 1;
-      reached.push_back(face);
+    for (const int s : around[at(reached[i])]) {
+      for (const int face : faces.beside(s)) {
+        if (layers[at(face)] >= 0) continue;
+        layers[at(face)] = layers[at(reached[i])] + 1;
+        reached.push_back(face);
+      }
     }
   }
   return layers;
@@ -66,28 +61,10 @@ void add(Operands& operands, const Domain& domain) {
   ++operands.count;
 }
 
-// In a grid of cells so large that near points are in neighbouring ones.
 void merge_near_points(Domain& domain, double tolerance) {
-  using Cell = std::pair<std::int64_t, std::int64_t>;
-  const double size = 2.0 * tolerance;
-  std::map<Cell, std::vector<int>> cells;
-  std::vector<int> merged(domain.points.size());
-  for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) {
-    const Point& p = domain.points[at(v)];
-    const Cell home{static_cast<std::int64_t>(std::floor(p.x / size)),
-                    static_cast<std::int64_t>(std::floor(p.y / size))};
-    int same = v;
-    for (const int dx : {-1, 0, 1}) {
-      for (const int dy : {-1, 0, 1}) {
-        const auto cell = cells.find({home.first + dx, home.second + dy});
-        if (cell == cells.end()) continue;
-        for (const int other : cell->second)
-          if (norm(domain.points[at(other)] - p) <= tolerance) same = std::min(same, other);
-      }
-    }
-    merged[at(v)] = same;
-    if (same == v) cells[home].push_back(v);
-  }
+  KeptPoints kept(domain.points, tolerance);
+  std::vector<int> merged;
+  for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) merged.push_back(kept.find_or_keep(v));
   for (Segment& s : domain.segments) s = piece_of(s, merged[at(s.a)], merged[at(s.b)]);
   for (int& v : domain.required_points) v = merged[at(v)];
 }
@@ -132,6 +109,13 @@ bool split_at_near_points(Operands& operands, double tolerance) {
 }
 
 }  // namespace
+
+std::vector<std::vector<int>> segments_around(int num_segments, const Faces& faces) {
+  std::vector<std::vector<int>> around(at(faces.count()));
+  for (int s = 0; s < num_segments; ++s)
+    for (const int face : faces.beside(s)) around[at(face)].push_back(s);
+  return around;
+}
 
 std::vector<char> faces_inside(const Domain& domain, const Faces& faces) {
   const std::vector<int> layers = layers_of(domain, faces);
