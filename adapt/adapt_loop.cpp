@@ -11,6 +11,7 @@
 #include "adapt/diffusion_jumps.h"
 #include "adapt/influence.h"
 #include "adapt/loop_warnings.h"
+#include "adapt/measure.h"
 #include "adapt/second_derivatives.h"
 #include "adapt/stopwatch.h"
 #include "adapt/targets.h"

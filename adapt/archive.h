@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "mesher/errors.h"
@@ -19,18 +20,24 @@ namespace parmesan {
 ///
 ///     template <class Archive> void fields(Archive& archive, S& s) { archive(s.a, s.b); }
 ///
-/// which serves for writing and for reading: the two cannot disagree.
+/// which serves for writing and for reading: the two cannot disagree. A writer changes nothing; fields that must do
+/// more than pass members on ask Archive::is_reader.
 template <class T>
 constexpr bool is_plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 class ArchiveWriter {
  public:
+  static constexpr bool is_reader = false;
+
   template <class... T>
-  void operator()(T&... values) {
+  void operator()(const T&... values) {
     (write(values), ...);
   }
 
   const std::string& bytes() const { return bytes_; }
+
+  /// The bytes without a copy; the archive is empty then.
+  std::string take() { return std::exchange(bytes_, {}); }
 
  private:
   void append(const void* data, std::size_t size) { bytes_.append(static_cast<const char*>(data), size); }
@@ -40,40 +47,38 @@ class ArchiveWriter {
   }
 
   template <class T>
-  void write(T& value) {
+  void write(const T& value) {
     if constexpr (is_plain<T>) {
       append(&value, sizeof value);
     } else {
-      fields(*this, value);
+      fields(*this, const_cast<T&>(value));  // the one fields for reader and writer
     }
   }
-  void write(std::string& text) {
+  void write(const std::string& text) {
     write_count(text.size());
     append(text.data(), text.size());
   }
   template <class T>
-  void write(std::vector<T>& values) {
+  void write(const std::vector<T>& values) {
     write_count(values.size());
-    for (T& value : values) write(value);
+    for (const T& value : values) write(value);
   }
   template <class T, std::size_t N>
-  void write(std::array<T, N>& values) {
-    for (T& value : values) write(value);
+  void write(const std::array<T, N>& values) {
+    for (const T& value : values) write(value);
   }
   template <class K, class V>
-  void write(std::map<K, V>& values) {
+  void write(const std::map<K, V>& values) {
     write_count(values.size());
-    for (auto& [key, value] : values) {
-      K copy = key;
-      write(copy);
+    for (const auto& [key, value] : values) {
+      write(key);
       write(value);
     }
   }
   template <class T>
-  void write(std::optional<T>& value) {
-    bool has = value.has_value();
-    write(has);
-    if (has) write(*value);
+  void write(const std::optional<T>& value) {
+    write(value.has_value());
+    if (value) write(*value);
   }
 
   std::string bytes_;
@@ -82,6 +87,8 @@ class ArchiveWriter {
 /// The inverse. Errors: InputError where the bytes end early; no count is believed beyond the bytes there are.
 class ArchiveReader {
  public:
+  static constexpr bool is_reader = true;
+
   explicit ArchiveReader(std::string_view bytes) : bytes_(bytes) {}
 
   template <class... T>

@@ -27,7 +27,7 @@ struct MetricOptions {
   bool exact_hessian = false;  // "recovery": "exact", from the exact expression
   MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
   double h_min = 0.0;                            // smallest size, L; 0: none
-  double h_max = 0.0;                            // largest size, L; 0: a quarter of the domain's diameter
+  double h_max = 0.0;                            // largest size, L; 0: a quarter of the diagonal of the domain's box
   double max_aspect = 1e6;                       // largest ratio of the two sizes
   bool automatic_aspect = false;                 // "automatic": bounded where the solution asks for it (aspect_bound.h)
   double gradation = 0.0;                        // growth of size per unit metric length; 0: none

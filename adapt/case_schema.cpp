@@ -325,7 +325,7 @@ constexpr const char* kSchema = R"schema({
         "h_min": { "$ref": "#/$defs/scalar", "minimum": 0, "default": 0,
                    "description": "smallest size, may vary with x and y; 0: none" },
         "h_max": { "$ref": "#/$defs/scalar", "minimum": 0, "default": 0,
-                   "description": "largest size, may vary with x and y; 0: a quarter of the domain's diameter" },
+                   "description": "largest size, may vary with x and y; 0: a quarter of the diagonal of the domain's box" },
         "max_aspect": { "anyOf": [{ "enum": ["automatic"] }, { "$ref": "#/$defs/constant", "minimum": 1 }],
                         "description": "largest ratio of the two sizes; default: automatic for solutions (as long as their L2 error gains), 1000000 for given functions" },
         "gradation": { "$ref": "#/$defs/constant", "minimum": 0, "default": 0,
@@ -436,8 +436,8 @@ constexpr const char* kSchema = R"schema({
 
 }  // namespace
 
-// What a shape may have, the whole geometry may have too, and more: draft 7 has no way to say so and keep additional
-// properties out.
+// What a shape may have, the whole geometry may have too, and more: written out, so that who knows no
+// unevaluatedProperties, such as the reader here, keeps other keys out.
 nlohmann::ordered_json case_schema() {
   using Json = nlohmann::ordered_json;
   Json schema = Json::parse(kSchema);

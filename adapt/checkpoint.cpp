@@ -4,11 +4,15 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
 #include <system_error>
 #include <utility>
 
 #include "adapt/all_finite.h"
 #include "adapt/archive.h"
+#include "adapt/checkpoint_fields.h"
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"
 #include "mesher/io/output_file.h"
@@ -16,136 +20,33 @@
 
 namespace parmesan {
 
-// What an archive needs to know of each struct; found by argument-dependent lookup. A field that is left out here
-// is lost in a checkpoint: the test that resumes after each row sees to it.
-
-template <class Archive>
-void fields(Archive& archive, Point& p) {
-  archive(p.x, p.y);
-}
-
-template <class Archive>
-void fields(Archive& archive, Metric& m) {
-  SymmetricTensor t = m.tensor();
-  archive(t.xx, t.xy, t.yy);
-  m = Metric::from_tensor(t);
-}
-
-template <class Archive>
-void fields(Archive& archive, Mesh& m) {
-  archive(m.points, m.triangles, m.regions, m.edges, m.labels, m.label_names, m.region_names, m.required.vertices,
-          m.required.edges, m.required.triangles);
-}
-
-template <class Archive>
-void fields(Archive& archive, Misfits& m) {
-  archive(m.reason, m.count, m.place, m.worst);
-}
-
-template <class Archive>
-void fields(Archive& archive, Diagnosis& d) {
-  archive(d.num_triangles, d.long_edges, d.short_edges, d.poor_triangles);
-}
-
-template <class Archive>
-void fields(Archive& archive, GenerateReport& r) {
-  archive(r.start, r.start_reason, r.complexity, r.diagnosis, r.warnings);
-}
-
-template <class Archive>
-void fields(Archive& archive, StageSeconds& s) {
-  archive(s.mesh, s.solve, s.recover, s.measure, s.cpu);
-}
-
-template <class Archive>
-void fields(Archive& archive, Clipped& c) {
-  archive(c.count, c.low, c.high);
-}
-
-template <class Archive>
-void fields(Archive& archive, ClippedSizes& c) {
-  archive(c.h_min, c.h_max, c.aspect, c.gradation);
-}
-
-template <class Archive>
-void fields(Archive& archive, SolutionBounds& b) {
-  archive(b.lower, b.upper);
-}
-
-template <class Archive>
-void fields(Archive& archive, SolveReport& r) {
-  archive(r.solver, r.unknowns, r.iterations, r.backward_error, r.peclet_min, r.peclet_max, r.capturing_steps,
-          r.capturing_change, r.correction_steps, r.correction_change, r.null_components, r.compatibility_mismatch,
-          r.minimum, r.maximum, r.bounds);
-}
-
-template <class Archive>
-void fields(Archive& archive, Iterate& i) {
-  archive(i.mesh, i.relaxed, i.metrics, i.values, i.residual, i.dual, i.complexity, i.clipped, i.report, i.solve_report,
-          i.fluxes, i.estimated_error, i.goal_error, i.seconds);
-}
-
-template <class Archive>
-void fields(Archive& archive, SizeStep& s) {
-  archive(s.asked, s.vertices, s.error, s.adapted);
-}
-
-template <class Archive>
-void fields(Archive& archive, InterpolationLimit& l) {
-  archive(l.value, l.relative_error, l.degenerate_share);
-}
-
-template <class Archive>
-void fields(Archive& archive, ErrorNorms& e) {
-  archive(e.l1, e.l2, e.linf, e.h1, e.num_nonfinite);
-}
-
-template <class Archive>
-void fields(Archive& archive, EstimatedError& e) {
-  archive(e.l2, e.h1, e.linf);
-}
-
-template <class Archive>
-void fields(Archive& archive, WorstElement& w) {
-  archive(w.center, w.quality);
-}
-
-template <class Archive>
-void fields(Archive& archive, GoalError& e) {
-  archive(e.error, e.magnitude);
-}
-
-template <class Archive>
-void fields(Archive& archive, GoalRow& g) {
-  archive(g.value, g.estimate, g.error);
-}
-
-template <class Archive>
-void fields(Archive& archive, IterationRow& r) {
-  archive(r.iteration, r.vertices, r.triangles, r.complexity, r.clipped, r.interpolation_error, r.efficiency,
-          r.solution_error, r.estimated_error, r.residual_h1, r.goal, r.solve_report, r.fluxes, r.functionals,
-          r.unit_edges, r.length_min, r.length_max, r.quality_min, r.quality_p01, r.quality_mean,
-          r.quality_min_away_from_corners, r.worst, r.diagnosis, r.start, r.start_reason, r.seconds, r.peak_memory_mb);
-}
-
-template <class Archive>
-void fields(Archive& archive, Summary& s) {
-  archive(s.case_name, s.seed, s.threads, s.stop_reason, s.error_targets_declared, s.targets_met, s.interpolation_limit,
-          s.warnings, s.iterations);
-}
-
-template <class Archive>
-void fields(Archive& archive, LoopState& s) {
-  archive(s.last, s.met, s.is_met, s.asked, s.unchanged, s.limits_bind, s.seconds, s.history, s.limit, s.summary);
-}
-
 namespace {
 
 namespace fs = std::filesystem;
 
 // Bytes in another order or another layout of the fields have another number here.
-constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'08;
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'09;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
+
+/// What a checkpoint begins with.
+struct Head {
+  std::uint64_t format = 0;
+  std::string version;
+  int row = 0;  // the last one of the state
+  std::uint64_t case_hash = 0;
+};
+
+template <class Archive>
+void fields(Archive& archive, Head& h) {
+  archive(h.format, h.version, h.row, h.case_hash);
+}
+
+bool is_ours(const Head& head) { return head.format == format && head.version == PARMESAN_VERSION; }
+
+int row_of(const LoopState& state) {
+  const std::vector<IterationRow>& rows = state.summary.iterations;
+  return rows.empty() ? -1 : rows.back().iteration;
+}
 
 void check_mesh(const Mesh& mesh) {
   try {
@@ -199,14 +100,47 @@ void check(const LoopState& state) {
   if (!agrees) throw InputError("contradicts itself");
 }
 
-std::string read_bytes(const fs::path& path) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 36;  // some 10^9 vertices
+void require_regular(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(path, error))) throw FileError(path, 0, "is not a regular file");
+}
+
+std::string read_bytes(const fs::path& path) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 36;  // some 10^9 vertices
+  require_regular(path);
   return read_file(path, most);
 }
 
-int last_row(const Checkpoint& checkpoint) { return checkpoint.state.summary.iterations.back().iteration; }
+/// The row that a file says it holds. What has no head of ours comes before all others, to be told of.
+int row_in(const fs::path& path) {
+  constexpr std::size_t enough = 256;  // bytes, for a head
+  constexpr int before_all = std::numeric_limits<int>::max();
+  try {
+    require_regular(path);
+    std::array<char, enough> start{};
+    std::ifstream in(path, std::ios::binary);
+    in.read(start.data(), std::ssize(start));
+    Head head;
+    ArchiveReader({start.data(), static_cast<std::size_t>(in.gcount())})(head);
+    return is_ours(head) ? head.row : before_all;
+  } catch (const InputError&) {
+    return before_all;
+  }
+}
+
+/// The files there are, that of the newest row first.
+std::vector<fs::path> newest_first(const std::string& folder) {
+  std::vector<std::pair<int, fs::path>> found;
+  for (const char* name : names) {
+    const fs::path path = fs::path(folder) / "checkpoint" / name;
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(path, error))) found.emplace_back(row_in(path), path);
+  }
+  std::ranges::stable_sort(found, std::greater{}, &std::pair<int, fs::path>::first);
+  std::vector<fs::path> paths;
+  for (auto& [row, path] : found) paths.push_back(std::move(path));
+  return paths;
+}
 
 }  // namespace
 
@@ -218,50 +152,42 @@ std::uint64_t checksum(std::string_view bytes) {
 
 std::string encode_checkpoint(const LoopState& state, std::uint64_t case_hash) {
   ArchiveWriter archive;
-  std::uint64_t number = format;
-  std::string version = PARMESAN_VERSION;
-  LoopState copy = state;
-  archive(number, version, case_hash, copy);
-  std::uint64_t sum = checksum(archive.bytes());
-  archive(sum);
-  return archive.bytes();
+  archive(Head{format, PARMESAN_VERSION, row_of(state), case_hash}, state);
+  archive(checksum(archive.bytes()));
+  return archive.take();
 }
 
 Checkpoint decode_checkpoint(std::string_view bytes) {
   constexpr std::size_t sum_bytes = sizeof(std::uint64_t);
   if (bytes.size() < sum_bytes) throw InputError("ends too early");
   const std::string_view content = bytes.substr(0, bytes.size() - sum_bytes);
-  std::uint64_t number = 0, sum = 0;
-  std::string version;
+  std::uint64_t sum = 0;
   ArchiveReader(bytes.substr(content.size()))(sum);
   if (sum != checksum(content)) throw InputError("is damaged: its checksum is wrong");
   ArchiveReader archive(content);
-  archive(number, version);
-  if (number != format || version != PARMESAN_VERSION) throw InputError("was written by another version of parmesan");
+  Head head;
+  archive(head);
+  if (!is_ours(head)) throw InputError("was written by another version of parmesan");
   Checkpoint checkpoint;
-  archive(checkpoint.case_hash, checkpoint.state);
+  archive(checkpoint.state);
   if (!archive.at_end()) throw InputError("goes on after its end");
   check(checkpoint.state);
+  checkpoint.case_hash = head.case_hash;
   return checkpoint;
 }
 
 void write_checkpoint(const std::string& folder, const LoopState& state, std::uint64_t case_hash) {
   const std::string path = make_subfolder(folder, "checkpoint");
-  const int row = state.summary.iterations.back().iteration;
-  write_file(path + "/" + names[static_cast<std::size_t>(row % 2)], encode_checkpoint(state, case_hash), true);
+  const auto which = static_cast<std::size_t>(row_of(state) % 2);
+  write_file(path + "/" + names[which], encode_checkpoint(state, case_hash), true);
 }
 
 FoundCheckpoint find_checkpoint(const std::string& folder) {
   FoundCheckpoint found;
-  for (const char* name : names) {
-    const fs::path path = fs::path(folder) / "checkpoint" / name;
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(path, error))) continue;
+  for (const fs::path& path : newest_first(folder)) {
     try {
-      Checkpoint candidate = decode_checkpoint(read_bytes(path));
-      if (!found.checkpoint || last_row(candidate) > last_row(*found.checkpoint)) {
-        found.checkpoint = std::move(candidate);
-      }
+      found.checkpoint = decode_checkpoint(read_bytes(path));
+      break;
     } catch (const FileError& problem) {
       found.problems.emplace_back(problem.what());
     } catch (const InputError& problem) {

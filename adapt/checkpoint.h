@@ -30,7 +30,8 @@ Checkpoint decode_checkpoint(std::string_view bytes);
 /// files that are complete or not there (power failures included). Errors: FileError.
 void write_checkpoint(const std::string& folder, const LoopState& state, std::uint64_t case_hash);
 
-/// The newest checkpoint in a run's folder that can be read, and what is wrong with the others.
+/// The newest checkpoint in a run's folder that can be read, and what is wrong with newer ones. Cost: reads no older
+/// one.
 struct FoundCheckpoint {
   std::optional<Checkpoint> checkpoint;
   std::vector<std::string> problems;  // one sentence per file that cannot be used

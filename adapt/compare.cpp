@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "adapt/adapt_loop.h"
+#include "adapt/measure.h"
 #include "adapt/number_text.h"
 #include "adapt/outputs.h"
 #include "adapt/report/report.h"

@@ -2,11 +2,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "adapt/compare.h"
 #include "adapt/json_number.h"
 #include "adapt/math_library.h"
 #include "adapt/number_text.h"
+#include "mesher/io/csv.h"
 
 namespace parmesan {
 namespace {
@@ -154,19 +156,20 @@ std::string compare_table(const CompareResult& result) {
 }
 
 std::string compare_csv(const CompareResult& result) {
-  std::string text =
-      "family,vertices,triangles,solution_l2,solution_h1,interpolation_l2,interpolation_h1,estimated_l2,estimated_h1,"
-      "goal_value,goal_estimate,goal_error,efficiency,cpu_seconds\n";
+  CsvRow names;
+  for (const char* name :
+       {"family", "vertices", "triangles", "solution_l2", "solution_h1", "interpolation_l2", "interpolation_h1",
+        "estimated_l2", "estimated_h1", "goal_value", "goal_estimate", "goal_error", "efficiency", "cpu_seconds"})
+    names.emplace_back(name);
+  std::string text = csv_line(names);
   for (const CompareRow& row : result.rows) {
-    text +=
-        std::string(to_string(row.family)) + "," + std::to_string(row.vertices) + "," + std::to_string(row.triangles);
-    for (const std::optional<double>& x : {row.solution_l2, row.solution_h1, row.interpolation_l2, row.interpolation_h1,
-                                           row.estimated_l2, row.estimated_h1, row.goal_value, row.goal_estimate,
-                                           row.goal_error, row.efficiency, std::optional<double>(row.cpu_seconds)}) {
-      text += ",";
-      if (x && std::isfinite(*x)) text += Json(*x).dump();
-    }
-    text += "\n";
+    CsvRow cells{std::string(to_string(row.family)), row.vertices, row.triangles};
+    for (const std::optional<double>& x :
+         {row.solution_l2, row.solution_h1, row.interpolation_l2, row.interpolation_h1, row.estimated_l2,
+          row.estimated_h1, row.goal_value, row.goal_estimate, row.goal_error, row.efficiency})
+      cells.emplace_back(x.value_or(std::numeric_limits<double>::quiet_NaN()));
+    cells.emplace_back(row.cpu_seconds);
+    text += csv_line(cells);
   }
   return text;
 }

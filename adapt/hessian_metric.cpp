@@ -113,19 +113,24 @@ double unlimited_factor(const Mesh& mesh, std::span<const Eigen2> shapes, double
   return wanted / sum;
 }
 
+/// Metrics within their limits, and the factor on the shapes that leads to them.
+struct Scaled {
+  double factor = 1.0;
+  Gradation limited;
+};
+
 // Secant in log D, log C, kept inside the bracket found so far; C grows with D.
-Gradation rescaled(const Mesh& mesh, std::span<const Eigen2> shapes, double wanted, const Limits& limits,
-                   double& factor) {
+Scaled rescaled(const Mesh& mesh, std::span<const Eigen2> shapes, double wanted, const Limits& limits) {
   constexpr int max_steps = 40;
   constexpr double saturated = 1e-6;  // slope below which every size is at its limit
   const double tolerance = limits.gradation > 1.0 ? 1e-4 : 1e-7;
   double low = -600.0, high = 600.0;
   double x = std::log(unlimited_factor(mesh, shapes, wanted)), last_x = 0.0, last_y = 0.0;
-  Gradation result;
+  Scaled result;
   for (int step = 0; step < max_steps; ++step) {
-    factor = std::exp(x);
-    result = limited_metrics(mesh, shapes, factor, limits);
-    const double y = std::log(complexity(mesh, result.metrics) / wanted);
+    result.factor = std::exp(x);
+    result.limited = limited_metrics(mesh, shapes, result.factor, limits);
+    const double y = std::log(complexity(mesh, result.limited.metrics) / wanted);
     if (std::abs(y) < tolerance) break;
     (y < 0.0 ? low : high) = x;
     const double slope = step > 0 && x != last_x ? (y - last_y) / (x - last_x) : 1.0;
@@ -154,9 +159,8 @@ Clipped graded(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, 
 HessianMetric of_shapes(const Mesh& mesh, std::span<const Eigen2> shapes, const Limits& limits,
                         const MetricRequest& request) {
   HessianMetric result;
-  double factor = 1.0;
-  Gradation last = rescaled(mesh, shapes, request.complexity, limits, factor);
-  result.metrics = std::move(last.metrics);
+  auto [factor, limited] = rescaled(mesh, shapes, request.complexity, limits);
+  result.metrics = std::move(limited.metrics);
   result.complexity = complexity(mesh, result.metrics);
   result.clipped = clipped_sizes(mesh, multiplied(shapes, factor), limits.sizes);
   if (limits.gradation > 1.0) result.clipped.gradation = graded(mesh, shapes, factor, limits, result.metrics);

@@ -87,12 +87,17 @@ Part make_part(const Expression& function, const std::array<Point, 3>& corner) {
 
 bool smaller_error(const Part& a, const Part& b) { return a.error < b.error; }
 
-Integrals total_of(const std::vector<Part>& parts, double& error) {
-  Integrals total;
-  error = 0.0;
+/// The integrals over all parts, and the sum of their errors.
+struct Total {
+  Integrals sum;
+  double error = 0.0;
+};
+
+Total total_of(const std::vector<Part>& parts) {
+  Total total;
   for (const Part& p : parts) {
-    total += p.sum;
-    error += p.error;
+    total.sum += p.sum;
+    total.error += p.error;
   }
   return total;
 }
@@ -117,31 +122,29 @@ std::vector<Part> initial_parts(const Mesh& mesh, const Expression& function) {
 }
 
 // Splits the part with the largest error until the sum of the errors is small.
-Integrals refine(const Expression& function, std::vector<Part>& heap, double& error) {
+Total refine(const Expression& function, std::vector<Part> heap) {
   std::ranges::make_heap(heap, smaller_error);
-  Integrals total = total_of(heap, error);
-  while (heap.size() < max_parts && error > tolerance * total.limit) {
+  Total total = total_of(heap);
+  while (heap.size() < max_parts && total.error > tolerance * total.sum.limit) {
     std::ranges::pop_heap(heap, smaller_error);
     const Part worst = heap.back();
     heap.pop_back();
-    error -= worst.error;
-    total.limit -= worst.sum.limit;
+    total.error -= worst.error;
+    total.sum.limit -= worst.sum.limit;
     for (const auto& quarter : quarters(worst.corner)) {
       heap.push_back(make_part(function, quarter));
-      error += heap.back().error;
-      total.limit += heap.back().sum.limit;
+      total.error += heap.back().error;
+      total.sum.limit += heap.back().sum.limit;
       std::ranges::push_heap(heap, smaller_error);
     }
   }
-  return total_of(heap, error);
+  return total_of(heap);
 }
 
 }  // namespace
 
 InterpolationLimit interpolation_limit(const Mesh& mesh, const Expression& function) {
-  std::vector<Part> parts = initial_parts(mesh, function);
-  double error = 0.0;
-  const Integrals total = refine(function, parts, error);
+  const auto [total, error] = refine(function, initial_parts(mesh, function));
   InterpolationLimit result;
   result.value = std::pow(total.limit, 1.5);
   result.relative_error = total.limit > 0.0 ? error / total.limit : 0.0;

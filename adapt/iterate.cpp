@@ -1,15 +1,12 @@
 #include "adapt/iterate.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
+#include "adapt/decimal.h"
 #include "adapt/functional_value.h"
-#include "adapt/goal_error.h"
 #include "adapt/nodal_values.h"
 #include "adapt/number_text.h"
 #include "adapt/stopwatch.h"
@@ -17,13 +14,11 @@
 #include "fem/dual.h"
 #include "fem/functionals.h"
 #include "fem/galerkin_error.h"
-#include "fem/residual_estimate.h"
 #include "mesher/cracks.h"
 #include "mesher/generate_around.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/metric/background_mesh.h"
-#include "mesher/quality.h"
 
 namespace parmesan {
 namespace {
@@ -55,19 +50,12 @@ Iterate generated(const Case& input, const MetricField& field, const Mesh* previ
   return iterate;
 }
 
-// The largest resident set so far; Linux counts it in KiB.
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
 void require_finite(const Case& input, const Iterate& iterate) {
   for (std::size_t i = 0; i < iterate.values.size(); ++i) {
     if (std::isfinite(iterate.values[i])) continue;
     const Point& p = iterate.mesh.points[i];
-    throw ProblemError("/problem/interpolate: \"" + input.exact->text() + "\" is not finite at (" +
-                       std::to_string(p.x) + ", " + std::to_string(p.y) + ")");
+    throw ProblemError("/problem/interpolate: \"" + input.exact->text() + "\" is not finite at (" + decimal(p.x) +
+                       ", " + decimal(p.y) + ")");
   }
 }
 
@@ -135,52 +123,6 @@ void solve_goal(const Case& input, Iterate& iterate) {
   iterate.seconds.cpu += watch.cpu_seconds();
 }
 
-/// Nothing where the source is not finite everywhere: one like 1/r is known by its divergence form only.
-std::optional<double> estimate_by_residuals(const Case& input, const Iterate& iterate) {
-  try {
-    return has_cracks(iterate.mesh) ? residual_estimate(moved_off_cracks(iterate.mesh), input.problem, iterate.values)
-                                    : residual_estimate(iterate.mesh, input.problem, iterate.values);
-  } catch (const ProblemError&) {
-    return std::nullopt;
-  }
-}
-
-void measure_errors(const Case& input, const Iterate& iterate, const std::optional<InterpolationLimit>& limit,
-                    IterationRow& row) {
-  if (!input.interpolation) {
-    row.estimated_error = iterate.estimated_error;
-    row.residual_h1 = estimate_by_residuals(input, iterate);
-  }
-  const std::optional<ExactFunction> known = known_function(input);
-  if (!known) return;
-  const ExactFunction& exact = *known;
-  const std::vector<double> nodal = input.interpolation ? iterate.values : nodal_values(iterate.mesh, exact.value);
-  row.interpolation_error = error_norms(iterate.mesh, nodal, exact);
-  if (!input.interpolation) row.solution_error = error_norms(iterate.mesh, iterate.values, exact);
-  if (limit) row.efficiency = efficiency(row.interpolation_error->l2, iterate.mesh.num_triangles(), *limit);
-}
-
-GoalRow goal_row(const Case& input, const Iterate& iterate) {
-  GoalRow row;
-  const GoalFunctional functional = goal_functional(*input.goal, iterate.mesh);
-  row.value = evaluate(*input.goal, iterate.mesh, iterate.values, iterate.fluxes);
-  row.estimate =
-      estimate_goal_error(iterate.mesh, input.problem, functional, iterate.values, iterate.residual, iterate.dual);
-  if (iterate.goal_error) {
-    row.estimate.error = *iterate.goal_error;
-    row.estimate.magnitude = std::max(row.estimate.magnitude, std::abs(*iterate.goal_error));
-  }
-  if (const auto exact = exact_value(input, *input.goal, iterate.mesh)) row.error = *exact - row.value;
-  return row;
-}
-
-/// The fluxes by the names of their labels, added up where several have one name.
-std::map<std::string, double> named_fluxes(const Iterate& iterate) {
-  std::map<std::string, double> named;
-  for (const auto& [label, flux] : iterate.fluxes) named[label_name(iterate.mesh.label_names, label)] += flux;
-  return named;
-}
-
 }  // namespace
 
 double area(const Mesh& mesh) {
@@ -234,54 +176,6 @@ void compute_values(const Case& input, Iterate& iterate, const Iterate* previous
     solve_on(iterate.mesh, input, previous, iterate);
   }
   if (input.goal) solve_goal(input, iterate);
-}
-
-IterationRow measure(const Case& input, const Iterate& iterate, int iteration,
-                     const std::optional<InterpolationLimit>& limit) {
-  const Stopwatch watch;
-  IterationRow row;
-  row.iteration = iteration;
-  row.vertices = iterate.mesh.num_vertices();
-  row.triangles = iterate.mesh.num_triangles();
-  row.complexity = iterate.complexity;
-  row.clipped = iterate.clipped;
-  row.start = iterate.report.start;
-  row.start_reason = iterate.report.start_reason;
-  row.diagnosis = iterate.report.diagnosis;
-  row.solve_report = iterate.solve_report;
-  row.fluxes = named_fluxes(iterate);
-  for (const CaseFunctional& functional : input.functionals) {
-    row.functionals[functional.name] = evaluate(functional, iterate.mesh, iterate.values, iterate.fluxes);
-  }
-  if (input.goal) row.goal = goal_row(input, iterate);
-  measure_errors(input, iterate, limit, row);
-  set_quality(row, iterate.mesh, measure_quality(iterate.mesh, iterate.metrics));
-  row.seconds = iterate.seconds;
-  row.seconds.measure += watch.seconds();
-  row.peak_memory_mb = peak_memory_mb();
-  return row;
-}
-
-ErrorNorms targeted_error(const Case& input, const IterationRow& row) {
-  if (input.interpolation) return row.interpolation_error.value_or(ErrorNorms{});
-  if (row.solution_error) return *row.solution_error;
-  ErrorNorms estimated;
-  estimated.l1 = std::numeric_limits<double>::quiet_NaN();
-  if (row.estimated_error) {
-    estimated.l2 = row.estimated_error->l2;
-    estimated.h1 = row.estimated_error->h1;
-    estimated.linf = row.estimated_error->linf;
-  }
-  return estimated;
-}
-
-double targeted_goal_error(const IterationRow& row) {
-  constexpr double least_share = 0.25;
-  if (!row.goal) return std::numeric_limits<double>::quiet_NaN();
-  const GoalError& estimate = row.goal->estimate;
-  if (row.goal->error) return std::abs(*row.goal->error);
-  if (row.solve_report && row.solve_report->unknowns == 0) return std::numeric_limits<double>::quiet_NaN();
-  return std::max(std::abs(estimate.error), least_share * estimate.magnitude);
 }
 
 }  // namespace parmesan

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapt/all_finite.h"
+#include "adapt/convergence_csv.h"
 #include "adapt/io/png.h"
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"

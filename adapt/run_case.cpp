@@ -9,6 +9,7 @@
 
 #include "adapt/adapt_loop.h"
 #include "adapt/checkpoint.h"
+#include "adapt/measure.h"
 #include "adapt/number_text.h"
 #include "adapt/outputs.h"
 #include "adapt/report/report.h"

@@ -45,7 +45,7 @@ RunResult run_case(const Case& input, const RunOptions& options);
 /// Compares the last row of a run with the case's pass limits.
 ///
 /// A name is a dotted path into the last iteration of summary.json ("efficiency",
-/// "solution_error.l2", "vertices") or into summary.json itself ("targets_met", "stop_reason").
+/// "solution_error.l2", "vertices") or into summary.json itself ("targets_met").
 /// A value that is absent or null fails.
 std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const Summary& summary);
 

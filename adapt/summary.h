@@ -133,7 +133,4 @@ nlohmann::ordered_json to_json(const IterationRow& row);
 /// summary.json. Numbers that are not finite become null.
 nlohmann::ordered_json to_json(const Summary& summary);
 
-/// convergence.csv: a header and one line per iteration, absent values empty.
-std::string convergence_csv(const Summary& summary);
-
 }  // namespace parmesan

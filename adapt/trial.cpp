@@ -6,6 +6,7 @@
 #include <string>
 
 #include "adapt/iterate.h"
+#include "adapt/measure.h"
 #include "adapt/number_text.h"
 #include "adapt/targets.h"
 #include "mesher/errors.h"

@@ -169,9 +169,10 @@ void add(const SourceMoments& part, SourceMoments& sum) {
 }
 
 /// Subdivides until children confirm their parents: to the local tolerance of their own magnitude, or to the global
-/// one, which halves with each level because a layer meets twice as many parts.
-void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open, const LoadAccuracy& accuracy,
-            double global, std::vector<SourceMoments>& result) {
+/// one, which halves with each level because a layer meets twice as many parts. result: the moments of the triangles
+/// that are not open; returned with all.
+std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open,
+                                  const LoadAccuracy& accuracy, double global, std::vector<SourceMoments> result) {
   const bool with_corners = accuracy.min_depth > 0;
   const double negligible = negligible_jump(global, result.size());
   for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
@@ -191,6 +192,7 @@ void refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> o
     }
   }
   for (const SampledPart& part : open) add(part.sample.moments, result[part.triangle]);
+  return result;
 }
 
 /// The orbits differ; for functions that jump also: the points do, or the corners differ from all of them.
@@ -242,8 +244,7 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
       result[t] = samples[t].moments;
     }
   }
-  refine(mesh, problem, std::move(open), accuracy, global, result);
-  return result;
+  return refine(mesh, problem, std::move(open), accuracy, global, std::move(result));
 }
 
 }  // namespace parmesan

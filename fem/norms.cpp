@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fem/p1.h"
+#include "fem/peak_search.h"
 #include "fem/quadrature.h"
 #include "mesher/errors.h"
 
@@ -75,7 +76,7 @@ class ElementError {
   }
 
   /// |e| at a place of the element, 0 where it is not finite.
-  double size_at(const std::array<double, 3>& lambda) const {
+  double size_at(const Barycentric& lambda) const {
     const double e = error_at(element_.at(lambda));
     return std::isfinite(e) ? std::abs(e) : 0.0;
   }
@@ -146,52 +147,6 @@ bool is_negligible(const std::vector<OpenTriangle>& open, Integrals sum) {
   return l2_doubt <= MaxDoubt * sum.l2 && h1_doubt <= MaxDoubt * sum.h1;
 }
 
-/// Searches for the largest |e| of an element: the best point of a lattice, then by halved steps from there. All a
-/// little inside, since exact functions may jump at sides.
-class PeakSearch {
- public:
-  explicit PeakSearch(const ElementError& error) : error_(error) {}
-
-  double run() {
-    constexpr int order = 8, halvings = 6;
-    for (int i = 0; i <= order; ++i)
-      for (int j = 0; i + j <= order; ++j)
-        look_at({static_cast<double>(i) / order, static_cast<double>(j) / order,
-                 static_cast<double>(order - i - j) / order});
-    double step = 0.5 / order;
-    for (int h = 0; h < halvings; ++h, step *= 0.5) look_around(step);
-    return largest_;
-  }
-
- private:
-  void look_at(const std::array<double, 3>& lambda) {
-    constexpr double inside = 1e-9;
-    if (*std::ranges::min_element(lambda) < 0.0) return;
-    std::array<double, 3> inner = lambda;
-    for (double& l : inner) l += inside * (1.0 / 3.0 - l);
-    const double size = error_.size_at(inner);
-    if (size <= largest_) return;
-    largest_ = size;
-    best_ = lambda;
-  }
-
-  void look_around(double step) {
-    const std::array<double, 3> center = best_;
-    for (std::size_t from = 0; from < 3; ++from) {
-      for (std::size_t to = 0; to < 3; ++to) {
-        std::array<double, 3> lambda = center;
-        lambda[from] -= step;
-        lambda[to] += step;
-        if (from != to) look_at(lambda);
-      }
-    }
-  }
-
-  const ElementError& error_;
-  std::array<double, 3> best_{};
-  double largest_ = 0.0;
-};
-
 /// The triangles in which the error was seen to be largest.
 std::vector<std::size_t> peaks(const std::vector<double>& largest) {
   std::vector<std::size_t> order(largest.size());
@@ -251,7 +206,8 @@ class MeshError {
     for (const std::size_t t : peaks(largest)) {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       const ElementError error = error_on(element, t);
-      sum.largest = std::max(sum.largest, PeakSearch(error).run());
+      const auto size = [&error](const Barycentric& lambda) { return error.size_at(lambda); };
+      sum.largest = std::max(sum.largest, peak_in_triangle(size));
     }
     return sum;
   }

@@ -21,7 +21,7 @@ function shown(x, digits = 4) {
   if (Number.isInteger(x) && Math.abs(x) < 1e9) return String(x);
   const size = Math.abs(x);
   const text = size >= 1e6 || size < 1e-3 ? x.toExponential(digits - 1) : x.toPrecision(digits);
-  return text.replace(/(\.\d*?)0+(e|$)/, '$1$2').replace(/\.(e|$)/, '$1').replace('e+', 'e').replace('-', '−');
+  return text.replace(/(\.\d*?)0+(e|$)/, '$1$2').replace(/\.(e|$)/, '$1').replace('e+', 'e').replaceAll('-', '−');
 }
 
 // The numbers of an array that the page carries in base64, or null.

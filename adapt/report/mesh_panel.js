@@ -1,6 +1,12 @@
 
 // The picture of a mesh with what belongs to it: choice of the colours, colour bar, buttons, keys, readout.
 
+// So many significant digits tell a hundredth of the range apart; 3 to 16.
+function digitsFor(low, high) {
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  return high > low ? Math.max(3, Math.min(16, Math.ceil(Math.log10(size / (high - low))) + 2)) : 3;
+}
+
 // What triangles are coloured by. values: per vertex, or per triangle; valueOf: at a triangle.
 // shareOf: where on the colour map, 0 to 1, a triangle is at its corner v.
 function makeField(name, values, valueOf, { perVertex = false, logarithmic = false } = {}) {
@@ -17,13 +23,14 @@ function makeField(name, values, valueOf, { perVertex = false, logarithmic = fal
     return logarithmic ? Math.log(Math.max(v, low) / low) / Math.log(high / low) : (v - low) / (high - low);
   };
   const shares = Float32Array.from(values, share);
-  return { name, low, high, logarithmic, valueOf, shareOf: perVertex ? (t, v) => shares[v] : (t) => shares[t] };
+  const digits = logarithmic ? 3 : digitsFor(low, high);
+  return { name, low, high, digits, logarithmic, valueOf, shareOf: perVertex ? (t, v) => shares[v] : (t) => shares[t] };
 }
 
 function fieldsOf(entry, { triangles }) {
-  const solution = carried(entry, 'solution', Float32Array);
+  const solution = carried(entry, 'solution', Float64Array);
   const quality = carried(entry, 'quality', Float32Array);
-  const error = carried(entry, 'error', Float32Array);
+  const error = carried(entry, 'error', Float64Array);
   const mean = (t) => (solution[triangles[3 * t]] + solution[triangles[3 * t + 1]] + solution[triangles[3 * t + 2]]) / 3;
   const fields = [makeField('solution', solution, mean, { perVertex: true })];
   if (error) fields.push(makeField('error', error, (t) => error[t], { logarithmic: true }));
@@ -32,16 +39,17 @@ function fieldsOf(entry, { triangles }) {
 }
 
 function colourBar(field, colours) {
-  const [width, height] = [280, 36];
+  const side = Math.max(32, 4 * field.digits), length = Math.max(216, 16 * field.digits);  // for the letters
+  const [width, height] = [length + 2 * side, 36];
   const svg = svgElement('svg', { viewBox: `0 0 ${width} ${height}`, width, height, role: 'img',
-    'aria-label': `${field.name} from ${shown(field.low)} to ${shown(field.high)}` });
-  const x = (share) => 32 + (width - 64) * share;
+    'aria-label': `${field.name} from ${shown(field.low, field.digits)} to ${shown(field.high, field.digits)}` });
+  const x = (share) => side + length * share;
   colours.forEach((colour, k) => svg.append(svgElement('rect',
-    { x: x(k / colours.length), y: 2, width: (width - 64) / colours.length + 0.5, height: 12, fill: colour })));
+    { x: x(k / colours.length), y: 2, width: length / colours.length + 0.5, height: 12, fill: colour })));
   for (const share of [0, 0.5, 1]) {
     const value = field.logarithmic ? field.low * (field.high / field.low) ** share
       : field.low + (field.high - field.low) * share;
-    label(svg, x(share), 29, shown(value, 3));
+    label(svg, x(share), 29, shown(value, field.digits));
   }
   return svg;
 }
@@ -100,7 +108,7 @@ function readout(view, fields, output) {
   view.canvas.addEventListener('pointermove', (event) => {
     const [x, y] = view.placeAt(event.offsetX * view.ratio, event.offsetY * view.ratio);
     const t = view.triangleAt(x, y);
-    const values = t < 0 ? ['outside the mesh'] : fields.map((f) => `${f.name} ${shown(f.valueOf(t))}`);
+    const values = t < 0 ? ['outside the mesh'] : fields.map((f) => `${f.name} ${shown(f.valueOf(t), f.digits + 1)}`);
     output.textContent = `(${shown(x, 6)}, ${shown(y, 6)})  ${values.join(', ')}`;
   });
 }
@@ -117,7 +125,7 @@ function meshPanel(parent, entry, about, colours) {
     view.setField(field);
     bar.replaceChildren(colourBar(field, colours));
   };
-  const goToWorst = () => view.look({ x: mesh.worst.x, y: mesh.worst.y, scale: Math.max(view.scale, 40 * view.scaleOfAll()) });
+  const goToWorst = () => view.goTo(mesh.worst.x, mesh.worst.y, Math.max(view.scale, 40 * view.scaleOfAll()));
   const button = (text, act) => {
     const result = element('button', { type: 'button' }, text);
     result.addEventListener('click', act);

@@ -9,8 +9,8 @@ namespace {
 
 const Point& vertex(const Mesh& mesh, int v) { return mesh.points[static_cast<std::size_t>(v)]; }
 
-std::vector<float> centroid_errors(const Iterate& iterate, const Expression& exact) {
-  std::vector<float> errors;
+std::vector<double> centroid_errors(const Iterate& iterate, const Expression& exact) {
+  std::vector<double> errors;
   errors.reserve(iterate.mesh.triangles.size());
   for (const auto& t : iterate.mesh.triangles) {
     Point center;
@@ -19,7 +19,7 @@ std::vector<float> centroid_errors(const Iterate& iterate, const Expression& exa
       center = center + (1.0 / 3.0) * vertex(iterate.mesh, v);
       value += iterate.values[static_cast<std::size_t>(v)] / 3.0;
     }
-    errors.push_back(static_cast<float>(std::abs(value - exact.value(center))));
+    errors.push_back(std::abs(value - exact.value(center)));
   }
   return errors;
 }

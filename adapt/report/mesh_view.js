@@ -12,6 +12,7 @@ class MeshView {
     this.chunks = boundingBoxes(mesh);
     this.bounds = union(this.chunks);
     new ResizeObserver(() => this.resize()).observe(canvas);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.requestDraw());
   }
 
   resize() {
@@ -22,8 +23,6 @@ class MeshView {
     const factor = isFirst ? 1 : width / this.canvas.width;
     Object.assign(this.canvas, { width, height });
     this.ratio = ratio;
-    this.background = getComputedStyle(this.canvas).getPropertyValue('--page');
-    this.ink = getComputedStyle(this.canvas).getPropertyValue('--ink');
     if (isFirst) this.reset();
     else this.look({ scale: this.scale * factor });
   }
@@ -42,17 +41,23 @@ class MeshView {
   // x, y: the place in the middle; scale: pixels per unit.
   look(view) {
     Object.assign(this, view);
-    const size = Math.max(Math.abs(this.x), Math.abs(this.y), 1e-300);
-    this.scale = Math.min(this.scale, 1e13 / size);  // beyond, doubles do not tell the pixels apart
     this.requestDraw();
   }
 
+  // The largest scale at a place: beyond, doubles do not tell the pixels apart, or corners are too far away to draw by.
+  limitAt(x, y) {
+    const [x0, y0, x1, y1] = this.bounds;
+    return 1e13 / Math.max(Math.abs(x), Math.abs(y), 0.01 * Math.max(x1 - x0, y1 - y0));
+  }
+
+  goTo(x, y, scale) { this.look({ x, y, scale: Math.min(scale, this.limitAt(x, y)) }); }
+
   pan(dx, dy) { this.look({ x: this.x - dx / this.scale, y: this.y + dy / this.scale }); }
 
-  // Keeps the place below the pixel where it is.
+  // Keeps the place below the pixel where it is, also where the scale comes to its limit.
   zoom(factor, px = this.canvas.width / 2, py = this.canvas.height / 2) {
     const [x, y] = this.placeAt(px, py);
-    const scale = this.scale * factor;
+    const scale = Math.min(this.scale * factor, Math.max(this.scale, this.limitAt(x, y)));
     this.look({ scale, x: x - (px - this.canvas.width / 2) / scale, y: y + (py - this.canvas.height / 2) / scale });
   }
 
@@ -79,10 +84,11 @@ class MeshView {
     const { context, canvas } = this;
     const image = context.createImageData(canvas.width, canvas.height);
     const target = { pixels: new Uint32Array(image.data.buffer), width: canvas.width, height: canvas.height };
-    target.pixels.fill(pixelOfColour(this.background));
+    const colours = getComputedStyle(canvas);  // of the scheme that is on now
+    target.pixels.fill(pixelOfColour(colours.getPropertyValue('--page')));
     this.drawTriangles(target);
     context.putImageData(image, 0, 0);
-    this.drawBoundary();
+    this.drawBoundary(colours.getPropertyValue('--ink'));
     this.drawWorst();
   }
 
@@ -115,10 +121,10 @@ class MeshView {
     return ranges;
   }
 
-  drawBoundary() {
+  drawBoundary(ink) {
     const { points, edges } = this.mesh;
     const context = this.context;
-    context.strokeStyle = this.ink;
+    context.strokeStyle = ink;
     context.lineWidth = 1.2 * this.ratio;
     const atOnce = 256;  // long paths take more than their share of time
     for (let begin = 0; begin < edges.length; begin += 2 * atOnce) {

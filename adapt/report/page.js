@@ -70,11 +70,45 @@ function definitions(pairs) {
   return element('dl', {}, ...pairs.flatMap(([term, text]) => [element('dt', {}, term), element('dd', {}, text)]));
 }
 
-function verdict(summary) {
+function verdict(summary, missed) {
   const reason = endings[summary.stop_reason] ?? summary.stop_reason;
   const met = summary.targets_met ? 'Targets met.' : 'Targets not met.';
-  return element('p', { class: summary.targets_met ? 'verdict met' : 'verdict missed' },
-    `${met} It stopped because ${reason} (${summary.stop_reason}), after ${summary.iterations.length} iterations.`);
+  const expected = missed.length ? ` Other than expected: ${missed.join(', ')}.` : '';
+  return element('p', { class: summary.targets_met && !missed.length ? 'verdict met' : 'verdict missed' },
+    `${met} It stopped because ${reason} (${summary.stop_reason}), after ${summary.iterations.length} iterations.${expected}`);
+}
+
+// What the case expects, with what came of it: { name, value, min, max, kept }. As run --verify looks at it.
+function expectationsOf({ case: { expect = {} }, summary }) {
+  const last = summary.iterations.at(-1) ?? {};
+  const valueOf = (path) => [last, summary].map((from) => path.reduce((at, step) => at?.[step], from)).find((v) => v !== undefined) ?? null;
+  const judged = (name, path, limits) => {
+    const value = valueOf(path);
+    if (typeof limits === 'boolean') return { name, value, min: limits, max: limits, kept: value === limits };
+    const { min = null, max = null } = limits;
+    return { name, value, min, max, kept: value !== null && (min === null || value >= min) && (max === null || value <= max) };
+  };
+  return Object.entries(expect).filter(([name]) => !name.startsWith('x-')).flatMap(([name, limits]) => {
+    if (name !== 'functionals' && name !== 'fluxes') return [judged(name, name.split('.'), limits)];
+    return Object.entries(limits).filter(([of]) => !of.startsWith('x-')).map(([of, own]) => judged(`${name}: ${of}`, [name, of], own));
+  });
+}
+
+function expectationTable(expectations) {
+  const text = (x) => (typeof x === 'boolean' ? String(x) : shown(x, 8));
+  return table('Expected of the last iteration', ['', 'value', 'min', 'max', ''], expectations.map((e) =>
+    [e.name, text(e.value), text(e.min), text(e.max), e.kept ? 'kept' : 'missed']));
+}
+
+// Numbers by name: at the last iteration, at the one before, and what else there is: a name -> a number for each name.
+function namedNumbers(caption, rows, key, others = {}) {
+  const columns = { value: rows.at(-1)[key], 'an iteration before': rows.at(-2)?.[key] ?? {}, ...others };
+  return table(caption, ['', ...Object.keys(columns)], Object.keys(rows.at(-1)[key]).map((name) =>
+    [name, ...Object.values(columns).map((numbers) => shown(numbers[name], 8))]));
+}
+
+function hasNumbers(rows, key) {
+  return Object.keys(rows.at(-1)?.[key] ?? {}).length > 0;
 }
 
 function goalTable(rows) {
@@ -102,7 +136,9 @@ function histograms(parent, all) {
 }
 
 function runSection(section, entry, number, colours) {
-  section.append(verdict(entry.summary));
+  const rows = entry.summary.iterations;
+  const expectations = expectationsOf(entry);
+  section.append(verdict(entry.summary, expectations.filter((e) => !e.kept).map((e) => e.name)));
   for (const warning of entry.summary.warnings ?? []) section.append(element('p', { class: 'warning' }, warning));
   section.append(element('h3', {}, 'The case'), definitions(caseInWords(entry.case)));
   if (entry.mesh) {
@@ -111,11 +147,15 @@ function runSection(section, entry, number, colours) {
     else section.append(element('p', {}, 'Too large to be drawn here; mesh.vtu can be opened in ParaView.'));
     histograms(section, entry.histograms);
   }
-  section.append(iterationTable(entry.summary.iterations));
-  const withGoal = entry.summary.iterations.filter((r) => r.goal);
+  section.append(iterationTable(rows));
+  const withGoal = rows.filter((r) => r.goal);
   if (withGoal.length) section.append(goalTable(withGoal));
+  const exact = Object.fromEntries(Object.entries(entry.case.functionals ?? {}).map(([name, f]) => [name, f.exact]));
+  if (hasNumbers(rows, 'functionals')) section.append(namedNumbers('Functionals', rows, 'functionals', { exact }));
+  if (hasNumbers(rows, 'fluxes')) section.append(namedNumbers('Fluxes n·K grad u through the sides', rows, 'fluxes'));
+  if (expectations.length) section.append(expectationTable(expectations));
   columnPlot(section, { title: 'Wall time by stage', xName: 'iteration', yName: 'seconds', parts: stages,
-    rows: entry.summary.iterations.map((r) => ({ name: String(r.iteration), values: stages.map((s) => r.seconds?.[s] ?? 0) })) });
+    rows: rows.map((r) => ({ name: String(r.iteration), values: stages.map((s) => r.seconds?.[s] ?? 0) })) });
 }
 
 function compareSection(section, entry) {

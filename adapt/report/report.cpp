@@ -142,15 +142,15 @@ void write_array(OutputFile& out, std::size_t entry, const char* name, std::span
 
 std::vector<float> single_precision(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
-// Points in double precision: one can zoom into layers of a millionth.
+// In double precision what may have any size, or differ in the last digits only: points, values and errors.
 void write_arrays(OutputFile& out, std::size_t number, const Entry& entry) {
   const Mesh& mesh = entry.iterate->mesh;
   write_array<Point>(out, number, "points", mesh.points);
   write_array<std::array<int, 3>>(out, number, "triangles", mesh.triangles);
   write_array<std::array<int, 2>>(out, number, "edges", mesh.edges);
-  write_array<float>(out, number, "solution", single_precision(entry.iterate->values));
+  write_array<double>(out, number, "solution", entry.iterate->values);
   write_array<float>(out, number, "quality", single_precision(entry.picture.quality.qualities));
-  if (!entry.picture.error.empty()) write_array<float>(out, number, "error", entry.picture.error);
+  if (!entry.picture.error.empty()) write_array<double>(out, number, "error", entry.picture.error);
 }
 
 void write_head(OutputFile& out) {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "mesher/io/output_file.h"
-
 namespace parmesan {
 namespace {
 
@@ -35,7 +33,7 @@ std::string safe_text(const std::string& text) {
 
 std::string cell_text(const CsvCell& cell) {
   if (const double* number = std::get_if<double>(&cell)) return std::isfinite(*number) ? number_text(*number) : "";
-  if (const int* number = std::get_if<int>(&cell)) return number_text(*number);
+  if (const std::int64_t* number = std::get_if<std::int64_t>(&cell)) return number_text(*number);
   if (const std::string* text = std::get_if<std::string>(&cell)) return safe_text(*text);
   return "";
 }
@@ -49,12 +47,6 @@ std::string csv_line(const CsvRow& row) {
     line += cell_text(row[i]);
   }
   return line + '\n';
-}
-
-void write_csv(const std::string& path, const std::vector<CsvRow>& rows) {
-  OutputFile out(path);
-  for (const CsvRow& row : rows) out << csv_line(row);
-  out.commit();
 }
 
 }  // namespace parmesan

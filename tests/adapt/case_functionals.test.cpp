@@ -3,6 +3,7 @@
 
 #include "adapt/functional_value.h"
 #include "adapt/iterate.h"
+#include "adapt/measure.h"
 #include "adapt/run_case.h"
 #include "tests/adapt/case_support.h"
 

@@ -160,6 +160,9 @@ TEST_CASE("two generations of checkpoints are kept, and the older one serves whe
     CHECK(find_checkpoint(folder.path()).checkpoint->state.history.size() == state.history.size());
   }
   const std::string newest = folder.file("checkpoint/odd.state");  // rows count from 0
+  std::ofstream(folder.file("checkpoint/even.state"), std::ios::app) << "damaged";
+  CHECK(find_checkpoint(folder.path()).problems.empty());  // of what is not needed nothing is read but its head
+  write_checkpoint(folder.path(), states[2], some_case);
   SECTION("cut short") { std::filesystem::resize_file(newest, 1000); }
   SECTION("another file") { std::ofstream(newest) << "not a checkpoint"; }
   SECTION("a link to elsewhere") {

@@ -3,6 +3,7 @@
 
 #include "adapt/adapt_loop.h"
 #include "adapt/functional_value.h"
+#include "adapt/measure.h"
 #include "tests/adapt/case_support.h"
 #include "tests/adapt/loop_cases.h"
 

@@ -43,17 +43,13 @@ TEST_CASE("compute_values interpolates, or solves", "[adapt][loop]") {
   }
 }
 
-TEST_CASE("targeted_error is the solution's where known, else the estimate, else the interpolant's", "[adapt][loop]") {
-  Case input;
-  IterationRow row;
-  row.estimated_error = EstimatedError{0.1, 0.2, 0.7};
-  CHECK(targeted_error(input, row).l2 == 0.1);
-  CHECK(targeted_error(input, row).linf == 0.7);
-  row.solution_error = ErrorNorms{0, 0.3, 0, 0};
-  CHECK(targeted_error(input, row).l2 == 0.3);
-  input.interpolation = true;
-  row.interpolation_error = ErrorNorms{0, 0.4, 0, 0};
-  CHECK(targeted_error(input, row).l2 == 0.4);
+TEST_CASE("a function that is not finite is refused with the place, however small its coordinates",
+          "[adapt][loop][errors]") {
+  const Case input = support::interpolation_case("1/(x - 0.25e-7)", "{}");
+  Iterate iterate;
+  iterate.mesh = support::rectangle_mesh(1, 1);
+  for (Point& p : iterate.mesh.points) p = {0.25e-7 + 1e-9 * p.x, 1e-9 * p.y};
+  CHECK_THROWS_WITH(compute_values(input, iterate, nullptr), Catch::Contains("is not finite at (2.5e-08, 0)"));
 }
 
 TEST_CASE("the next mesh starts from the particles as forces left them", "[adapt][loop]") {

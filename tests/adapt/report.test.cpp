@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "adapt/checkpoint.h"
 #include "adapt/run_case.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
@@ -83,9 +84,22 @@ TEST_CASE("the report of a run has its summary and its mesh, and loads nothing",
   std::vector<Point> drawn(mesh.points.size());
   std::memcpy(drawn.data(), points.data(), points.size());
   CHECK(drawn == mesh.points);
-  CHECK(decoded(script(page, "array-0-error")).size() == mesh.triangles.size() * sizeof(float));
+  CHECK(decoded(script(page, "array-0-error")).size() == mesh.triangles.size() * sizeof(double));
   for (const char* loading : {"src=\"http", "href=\"http", "url(", "import ", "fetch(", "<link"})
     CHECK(count(page, loading) == 0);
+}
+
+TEST_CASE("the report carries values as they are, also those that differ in their last digits only or are very small",
+          "[adapt][report]") {
+  const TemporaryFolder folder("report_digits");
+  RunOptions options;
+  options.out_dir = folder.path();
+  const std::string function = GENERATE("300 + 1e-6*sin(3*x)*y^2", "1e-50*sin(3*x)*y^2", "1e50*sin(3*x)*y^2");
+  run_case(support::interpolation_case(function, R"({"vertices": 200, "max_iterations": 1})"), options);
+  const std::vector<double> values = find_checkpoint(folder.path()).checkpoint.value().state.last.values;
+  const std::string carried = decoded(script(content(folder.file("report.html")), "array-0-solution"));
+  REQUIRE(carried.size() == values.size() * sizeof(double));
+  CHECK(std::memcmp(carried.data(), values.data(), carried.size()) == 0);
 }
 
 TEST_CASE("no name in a case can end or begin an element of the report", "[adapt][report]") {

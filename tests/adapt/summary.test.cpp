@@ -1,10 +1,8 @@
 #include "adapt/summary.h"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>  // defines __GLIBC__ where it is that
 #include <limits>
-#include <sstream>
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>
 #endif
@@ -93,18 +91,6 @@ TEST_CASE("absent and not finite values are null", "[adapt][summary]") {
   CHECK(row["efficiency"].is_null());
   CHECK(row["goal"].is_null());
   CHECK(row["interpolation_error"]["h1"].is_null());
-}
-
-TEST_CASE("convergence.csv has as many cells in each line as names in the first", "[adapt][summary]") {
-  Summary summary = one_row();
-  summary.iterations.push_back(summary.iterations[0]);
-  std::istringstream text(convergence_csv(summary));
-  std::string header, line;
-  std::getline(text, header);
-  CHECK(header.substr(0, 28) == "iteration,vertices,triangles");
-  int lines = 0;
-  for (; std::getline(text, line); ++lines) CHECK(std::ranges::count(line, ',') == std::ranges::count(header, ','));
-  CHECK(lines == 2);
 }
 
 TEST_CASE("set_quality says where the worst element lies", "[adapt][summary]") {

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "adapt/adapt_loop.h"
+#include "adapt/measure.h"
 #include "adapt/targets.h"
 #include "tests/adapt/loop_cases.h"
 

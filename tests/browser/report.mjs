@@ -22,6 +22,22 @@ const front = {
   targets: { l2_error: 2e-3 },
 };
 
+const wells = {
+  name: 'wells', 'x-note': 'not for the page',
+  geometry: {
+    rectangle: { min: [-1, -1], max: [1, 1] }, regions: { west: [-0.5, 0] }, segments: [{ from: [0, -1], to: [0, 1], label: 'wall' }],
+    holes: [[[0.4, 0.4], [0.6, 0.4], [0.5, 0.6]]],
+  },
+  problem: {
+    diffusion: { west: 3, '*': 1 }, point_sources: [{ at: [-0.5, 0.25], strength: 2e-50 }], discontinuity_capturing: true,
+    boundary: { '*': { dirichlet: 0 } },
+  },
+  solver: { method: 'lu' },
+  functionals: { 'mean.west': { integral: 'west', exact: 4e-51 } },
+  targets: { vertices: 400, max_iterations: 3 },
+  expect: { vertices: { min: 10 }, 'quality.min': { min: 0.99999 }, fluxes: { left: { max: 0 } } },
+};
+
 function parmesan(...words) {
   execFileSync(program, words, { cwd: folder, stdio: 'pipe', env: { ...process.env, OMP_NUM_THREADS: '1' } });
 }
@@ -31,6 +47,8 @@ parmesan('run', 'front.json', '--out', 'front', '-q');
 parmesan('run', 'front.json', '--out', strange, '-q', '--set', '/targets/l2_error=1e-2', '--set', '/problem/defect_correction=true',
   '--set', '/initial/continuation=4');
 parmesan('compare', 'front.json', '--out', 'compared', '--sizes', '300,900', '-q');
+writeFileSync(join(folder, 'wells.json'), JSON.stringify(wells));
+parmesan('run', 'wells.json', '--out', 'wells', '-q');
 parmesan('report', 'front', strange, 'compared', '-o', 'all.html', '-q');
 
 const browser = await launch();
@@ -105,6 +123,17 @@ async function checkPage(page, name, numPlots) {
   const dragged = await page.evaluate(([x, y]) => views[0].placeAt(x * views[0].ratio, y * views[0].ratio), [px + 50, py + 20]);
   check(Math.hypot(kept[0] - dragged[0], kept[1] - dragged[1]) < 1e-3, 'run: dragging moves the mesh with the pointer');
   check(/solution .*error .*quality/.test(await page.locator('output').textContent()), 'run: values below the pointer are told');
+  const farIn = async () => {
+    for (let k = 0; k < 80; ++k) await page.mouse.wheel(0, -300);
+    await page.waitForTimeout(300);
+  };
+  await farIn();
+  const [limit, atLimit] = [await scale(), await placeThere()];
+  await farIn();
+  const beyond = await placeThere();
+  check(await scale() === limit, 'run: zooming in has an end');
+  check(Math.hypot(atLimit[0] - beyond[0], atLimit[1] - beyond[1]) * limit < 2, 'run: there the place below the pointer stays, too');
+  await page.keyboard.press('0');
   await page.keyboard.press('w');
   await page.waitForTimeout(300);
   const worst = rows.at(-1).worst_element;
@@ -132,6 +161,44 @@ async function checkPage(page, name, numPlots) {
   const page = await open('front/report.html', { colorScheme: 'dark' });
   await checkPage(page, 'dark', 6);
   await screenshot(page, 'run-dark');
+}
+
+{
+  const page = await open('front/report.html');
+  const light = await looked(page);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.waitForTimeout(300);
+  const dark = await open('front/report.html', { colorScheme: 'dark' });
+  check((await looked(page)).sum !== light.sum, 'scheme: the mesh is drawn again when the colour scheme changes');
+  check((await looked(page)).sum === (await looked(dark)).sum, 'scheme: as a page that is opened in it');
+}
+
+{
+  const page = await open('wells/report.html');
+  await checkPage(page, 'wells', 4);
+  const text = (selector) => page.locator(selector).allInnerTexts().then((all) => all.join('\n'));
+  const words = await text('dl');
+  for (const part of ['= f + point sources', '2e-50 at (-0.5, 0.25)', 'rectangle from (-1, -1) to (1, 1)', 'west = (-0.5, 0)', 'label = wall',
+    '(0.4, 0.4)', 'west = 3, * = 1', 'discontinuity_capturing = true', 'method = lu', 'mean.west'])
+    check(words.includes(part), `wells: the page says ${part}`);
+  check(!words.includes('not for the page'), 'wells: notes are left out');
+  const last = JSON.parse(readFileSync(join(folder, 'wells/summary.json'))).iterations.at(-1);
+  const cells = async (caption) => page.locator('table', { has: page.locator('caption', { hasText: caption }) }).locator('tbody tr').allInnerTexts();
+  const near = (shown, value, tolerance = 1e-6) => Math.abs(Number(shown.replaceAll('−', '-')) / value - 1) < tolerance;
+  const [functional] = (await cells(/^Functionals/)).map((row) => row.split('\t'));
+  check(functional[0] === 'mean.west' && near(functional[1], last.functionals['mean.west']) && near(functional[3], 4e-51),
+    `wells: the functional is there, ${functional}`);
+  const fluxes = (await cells(/^Fluxes/)).map((row) => row.split('\t'));
+  check(fluxes.length === Object.keys(last.fluxes).length && fluxes.every(([name, value]) => near(value, last.fluxes[name])),
+    `wells: the fluxes are there, ${fluxes}`);
+  const expected = (await cells(/^Expected/)).map((row) => row.split('\t'));
+  check(expected.map((row) => `${row[0]} ${row.at(-1)}`).join() === 'vertices kept,quality.min missed,fluxes: left kept',
+    `wells: the expectations are judged, ${expected}`);
+  check((await text('.verdict.missed')).includes('Other than expected: quality.min.'), 'wells: a miss is said at the top');
+  const bar = await page.locator('.colourbar text').allTextContents();
+  check(near(bar.at(-1), last.bounds.maximum, 5e-3), `wells: the bar has tiny values, ${bar}`);
+  check((await looked(page)).colours > 100, 'wells: and their picture');
+  await screenshot(page, 'wells');
 }
 
 {

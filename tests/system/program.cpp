@@ -34,6 +34,12 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+// At most a minute: what then is missing, the test finds.
+void wait_for_file(const std::string& path) {
+  constexpr std::chrono::milliseconds step(5);
+  for (int k = 0; k < 12000 && !path.empty() && !std::filesystem::exists(path); ++k) std::this_thread::sleep_for(step);
+}
+
 ProgramResult run(const std::string& program, const std::vector<std::string>& arguments, const std::string& folder,
                   const Interruption& interruption) {
   const TemporaryFolder logs;
@@ -50,6 +56,7 @@ ProgramResult run(const std::string& program, const std::vector<std::string>& ar
   close(err);
   if (child < 0) throw std::runtime_error("fork failed");
   if (interruption.signal != 0) {
+    wait_for_file(interruption.after);
     std::this_thread::sleep_for(std::chrono::milliseconds(interruption.milliseconds));
     kill(child, interruption.signal);
   }

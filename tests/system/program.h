@@ -16,6 +16,7 @@ struct ProgramResult {
 struct Interruption {
   int signal = 0;  // none
   int milliseconds = 0;
+  std::string after = {};  // a file that the program writes first; the milliseconds count from then
 };
 
 /// Runs the built program with these arguments in a working folder and waits for it.

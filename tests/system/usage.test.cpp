@@ -10,7 +10,8 @@ TEST_CASE("help and version go to standard output and end with 0", "[system][usa
       GENERATE(std::vector<std::string>{"--help"}, std::vector<std::string>{"--version"},
                std::vector<std::string>{"run", "--help"}, std::vector<std::string>{"compare", "--help"},
                std::vector<std::string>{"mesh", "--help"}, std::vector<std::string>{"quality", "--help"},
-               std::vector<std::string>{"check", "--help"}, std::vector<std::string>{"schema", "--help"});
+               std::vector<std::string>{"check", "--help"}, std::vector<std::string>{"schema", "--help"},
+               std::vector<std::string>{"convert", "--help"}, std::vector<std::string>{"report", "--help"});
   const ProgramResult result = run_program(arguments);
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
@@ -18,7 +19,7 @@ TEST_CASE("help and version go to standard output and end with 0", "[system][usa
 }
 
 TEST_CASE("each subcommand's help shows an example", "[system][usage]") {
-  const std::string name = GENERATE("run", "compare", "mesh", "quality", "check", "schema");
+  const std::string name = GENERATE("run", "compare", "mesh", "quality", "check", "schema", "convert", "report");
   CHECK_THAT(run_program({name, "--help"}).out, Catch::Contains("Example: parmesan " + name));
 }
 

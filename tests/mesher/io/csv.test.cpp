@@ -3,8 +3,6 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "tests/mesher/io/temporary_folder.h"
-
 using parmesan::csv_line;
 
 TEST_CASE("csv_line writes numbers to the last bit and leaves holes for the rest", "[mesher][io]") {
@@ -23,10 +21,4 @@ TEST_CASE("csv_line disarms texts that a spreadsheet would run", "[mesher][io]")
   CHECK(csv_line({std::string("@SUM(A1)"), std::string("+x"), std::string("-x")}) == "'@SUM(A1),'+x,'-x\n");
   CHECK(csv_line({std::string("\t=x"), std::string("=\"a\"")}) == "'\t=x,\"'=\"\"a\"\"\"\n");
   CHECK(csv_line({std::string("a=b"), -1.0}) == "a=b,-1\n");
-}
-
-TEST_CASE("write_csv writes all rows", "[mesher][io]") {
-  const parmesan::support::TemporaryFolder folder;
-  parmesan::write_csv(folder / "t.csv", {{std::string("n"), std::string("error")}, {10, 0.5}, {20, 0.25}});
-  CHECK(parmesan::support::content_of(folder / "t.csv") == "n,error\n10,0.5\n20,0.25\n");
 }
