@@ -159,7 +159,8 @@ function runSection(section, entry, number, colours) {
 }
 
 function compareSection(section, entry) {
-  const { rows, orders, equal_error: equal } = entry.summary;
+  const { rows, orders, equal_error: equal, interrupted } = entry.summary;
+  if (interrupted) section.append(element('p', { class: 'verdict missed' }, 'It was interrupted: meshes are missing.'));
   section.append(element('h3', {}, 'The case'), definitions(caseInWords(entry.case)),
     table('Meshes', ['mesh', 'vertices', 'triangles', 'L2', 'H1', 'L2 interp.', 'efficiency', 'CPU s'], rows.map((r) =>
       [r.family, String(r.vertices), String(r.triangles), shown(leading(r, 'l2')), shown(leading(r, 'h1')),
