@@ -96,8 +96,8 @@ function expectationsOf({ case: { expect = {} }, summary }) {
 
 function expectationTable(expectations) {
   const text = (x) => (typeof x === 'boolean' ? String(x) : shown(x, 8));
-  return table('Expected of the last iteration', ['', 'value', 'min', 'max', ''], expectations.map((e) =>
-    [e.name, text(e.value), text(e.min), text(e.max), e.kept ? 'kept' : 'missed']));
+  return table('Expected of the last iteration', ['', '', 'value', 'min', 'max'], expectations.map((e) =>
+    [e.name, e.kept ? 'kept' : 'missed', text(e.value), text(e.min), text(e.max)]));
 }
 
 // Numbers by name: at the last iteration, at the one before, and what else there is: a name -> a number for each name.
