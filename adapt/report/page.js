@@ -96,8 +96,8 @@ function expectationsOf({ case: { expect = {} }, summary }) {
 
 function expectationTable(expectations) {
   const text = (x) => (typeof x === 'boolean' ? String(x) : shown(x, 8));
-  return table('Expected of the last iteration', ['', 'value', 'min', 'max', ''], expectations.map((e) =>
-    [e.name, text(e.value), text(e.min), text(e.max), e.kept ? 'kept' : 'missed']));
+  return table('Expected of the last iteration', ['', '', 'value', 'min', 'max'], expectations.map((e) =>
+    [e.name, e.kept ? 'kept' : 'missed', text(e.value), text(e.min), text(e.max)]));
 }
 
 // Numbers by name: at the last iteration, at the one before, and what else there is: a name -> a number for each name.
@@ -159,7 +159,8 @@ function runSection(section, entry, number, colours) {
 }
 
 function compareSection(section, entry) {
-  const { rows, orders, equal_error: equal } = entry.summary;
+  const { rows, orders, equal_error: equal, interrupted } = entry.summary;
+  if (interrupted) section.append(element('p', { class: 'verdict missed' }, 'It was interrupted: meshes are missing.'));
   section.append(element('h3', {}, 'The case'), definitions(caseInWords(entry.case)),
     table('Meshes', ['mesh', 'vertices', 'triangles', 'L2', 'H1', 'L2 interp.', 'efficiency', 'CPU s'], rows.map((r) =>
       [r.family, String(r.vertices), String(r.triangles), shown(leading(r, 'l2')), shown(leading(r, 'h1')),

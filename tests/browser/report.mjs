@@ -2,7 +2,7 @@
 //   node report.mjs PROGRAM FOLDER [keep]    writes below FOLDER; screenshots stay there with keep
 // Skipped, with 77, where playwright-core or Chromium is not found.
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check, finish, launch, open as openPage } from './browser.mjs';
 
@@ -49,6 +49,11 @@ parmesan('run', 'front.json', '--out', strange, '-q', '--set', '/targets/l2_erro
 parmesan('compare', 'front.json', '--out', 'compared', '--sizes', '300,900', '-q');
 writeFileSync(join(folder, 'wells.json'), JSON.stringify(wells));
 parmesan('run', 'wells.json', '--out', 'wells', '-q');
+mkdirSync(join(folder, 'cut'));
+copyFileSync(join(folder, 'compared/case.json'), join(folder, 'cut/case.json'));
+const compared = JSON.parse(readFileSync(join(folder, 'compared/summary.json')));
+writeFileSync(join(folder, 'cut/summary.json'), JSON.stringify({ ...compared, interrupted: true }));
+parmesan('report', 'cut', '-q', '-o', 'cut.html');
 parmesan('report', 'front', strange, 'compared', '-o', 'all.html', '-q');
 
 const browser = await launch();
@@ -192,7 +197,7 @@ async function checkPage(page, name, numPlots) {
   check(fluxes.length === Object.keys(last.fluxes).length && fluxes.every(([name, value]) => near(value, last.fluxes[name])),
     `wells: the fluxes are there, ${fluxes}`);
   const expected = (await cells(/^Expected/)).map((row) => row.split('\t'));
-  check(expected.map((row) => `${row[0]} ${row.at(-1)}`).join() === 'vertices kept,quality.min missed,fluxes: left kept',
+  check(expected.map((row) => `${row[0]} ${row[1]}`).join() === 'vertices kept,quality.min missed,fluxes: left kept',
     `wells: the expectations are judged, ${expected}`);
   check((await text('.verdict.missed')).includes('Other than expected: quality.min.'), 'wells: a miss is said at the top');
   const bar = await page.locator('.colourbar text').allTextContents();
@@ -205,7 +210,9 @@ async function checkPage(page, name, numPlots) {
   const page = await open('compared/report.html');
   await checkPage(page, 'compare', 3);
   check(await page.locator('.key').filter({ hasText: 'isotropic' }).count() >= 4, 'compare: the families are named');
+  check(await page.getByText('interrupted').count() === 0, 'compare: it went to its end');
   await screenshot(page, 'compare-laptop');
+  check(await (await open('cut.html')).getByText('It was interrupted').count() === 1, 'compare: an interrupted one says so');
 }
 
 {

@@ -59,8 +59,8 @@ HessianError hessian_error(const Case& input, const Iterate& iterate, Recovery r
 Case prepared(const std::string& file, const std::string& recovery, double vertices, bool interpolated) {
   const Case original = read_case(file);
   std::vector<Override> overrides{
-      {"/metric", R"({"recovery": ")" + recovery + R"(", "max_aspect": 1e6, "h_min": )" +
-                      decimal(original.metric.h_min) + "}"},
+      {"/metric",
+       R"({"recovery": ")" + recovery + R"(", "max_aspect": 1e6, "h_min": )" + decimal(original.metric.h_min) + "}"},
       {"/targets", R"({"vertices": )" + std::to_string(static_cast<long>(vertices)) + R"(, "max_iterations": 40})"},
       {"/mesher", "{}"},
       {"/expect", "{}"}};
