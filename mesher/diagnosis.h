@@ -45,9 +45,8 @@ struct Diagnosis {
   std::vector<Misfits> poor_triangles;  // quality under 0.3
 };
 
-/// mesh: its edges labelled with the domain segments that they are parts of, as by
-/// match_edges_to_segments. metrics: one per vertex. Cost: O(n), a quarter of measure_quality
-/// where all is well.
+/// mesh: its edges labelled with the domain segments that they are parts of. metrics: one per vertex. Cost: O(n), a
+/// quarter of measure_quality where all is well.
 Diagnosis diagnose(const Mesh& mesh, std::span<const Metric> metrics, const Domain& domain);
 
 /// The diagnosis with the misfits of the mesh's required triangles added, for MisfitReason::Required. counted: sides of

@@ -102,29 +102,23 @@ Mesh in_local_order(Mesh mesh) {
 
 Mesh refined(const Mesh& mesh, const Domain& domain) { return refine_red(mesh, middles_on_curves(mesh, domain)); }
 
-Mesh mesh_of_sites(const Outline& outline) { return to_mesh(triangulate(outline.domain), outline.segments).mesh; }
-
 /// The mesh of the domain's sites, with more of them where these do not show what the metric asks for.
 struct ScratchStart {
   Mesh mesh;
   OverlookedParts overlooked;
   double held;  // complexity of the field's samples
   double expected_vertices;
-  std::optional<std::string> outside;  // what of the domain is not in the mesh
 };
 
-ScratchStart scratch_start(const Domain& domain, const Outline& outline, const MetricField& field,
-                           std::int64_t max_vertices) {
+ScratchStart scratch_start(const Domain& domain, Mesh mesh, const MetricField& field, std::int64_t max_vertices) {
   constexpr double much_more = 1.1;
-  Mesh mesh = mesh_of_sites(outline);
-  std::optional<std::string> outside = outside_parts(mesh, domain);
   mesh.required = required_parts(mesh, domain);
   OverlookedParts overlooked(field, domain);
   const double seen = integrate_complexity(mesh, field), held = overlooked.complexity_within(mesh);
   const double expected = expected_vertices(std::max(seen, held));
   check_size(expected, max_vertices);
   if (held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(coarser_levels(expected)));
-  return {std::move(mesh), overlooked, held, expected, std::move(outside)};
+  return {std::move(mesh), overlooked, held, expected};
 }
 
 // Coarsest level: the isotropic part of the metric, so that bisection of long edges makes no
@@ -208,15 +202,6 @@ Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mes
   return taken_lower_in_error(particles, options.hessian);
 }
 
-// The previous mesh with its edges labelled with segments and the domain's regions, if it conforms to the domain.
-std::optional<Mesh> fitted(Mesh mesh, const Domain& domain, const Outline& outline) {
-  std::optional<std::vector<int>> segments = match_edges_to_segments(mesh, domain);
-  if (!segments) return std::nullopt;
-  mesh.labels = std::move(*segments);
-  if (!take_regions(mesh, mesh_of_sites(outline), domain)) return std::nullopt;
-  return put_on_curves(std::move(mesh), domain);
-}
-
 // Both sides of a crack have the metric of the particles on it.
 std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metric>& metrics) {
   std::vector<Metric> result;
@@ -240,11 +225,16 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   const bool by_thesis = options.schedule == Schedule::Thesis;
   validate(options.particles);
 
+  Mesh sites = to_mesh(triangulate(outline.domain), outline.segments).mesh;
+  if (std::optional<std::string> outside = outside_parts(sites, domain))
+    result.report.warnings.push_back(*std::move(outside));
+
   StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<Mesh> fit;
   if (previous) {  // the particles of a crack are those of both its sides
-    fit = fitted(has_cracks(*previous) ? close_cracks(*previous).mesh : *std::move(previous), domain, outline);
+    fit = fitted(has_cracks(*previous) ? close_cracks(*previous).mesh : *std::move(previous), domain, sites);
     choice.reason = "the previous mesh does not fit the geometry";
+    if (fit) fit = put_on_curves(*std::move(fit), domain);
     if (fit) choice = choose_start(*fit, field);
     if (fit && by_thesis)
       choice = {Start::PreviousMesh, 0, choice.expected_vertices, "the thesis's schedule starts from any mesh"};
@@ -252,8 +242,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   }
   Relaxed relaxed;
   if (choice.start == Start::Scratch) {
-    ScratchStart start = scratch_start(domain, outline, field, options.max_vertices);
-    if (start.outside) result.report.warnings.push_back(*start.outside);
+    ScratchStart start = scratch_start(domain, std::move(sites), field, options.max_vertices);
     relaxed = by_thesis ? mesh_by_thesis(domain, field, start.mesh, options, result.report)
                         : mesh_from_scratch(domain, field, std::move(start), effort, options);
   } else {

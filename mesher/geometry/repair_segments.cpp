@@ -194,7 +194,7 @@ DomainRepair require_enclosure(DomainRepair repair) {
   std::vector<std::string> names;
   for (const int v : found.points)
     if (!ends_crack[static_cast<std::size_t>(v)]) names.push_back("point " + repair.point_text(v));
-  repair.note("kept as inner constraints the chains at", "free end", names);
+  repair.note("kept as constraints, where they lie inside, the chains at", "free end", names);
   return repair;
 }
 

@@ -85,13 +85,15 @@ int next_along_curve(const Mesh& mesh, const Incidence& at_vertex, int v, const 
   return next;
 }
 
-}  // namespace
-
-std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const Domain& domain) {
+/// The segment that each edge is a part of.
+std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const Domain& domain, const Mesh& sites) {
   const Incidence at_vertex = incidence(mesh);
   const VertexFinder finder(mesh);
+  std::vector<char> is_inside(domain.segments.size(), 0);
+  for (const int s : sites.labels) is_inside[at(s)] = 1;
   std::vector<int> segment_of(mesh.edges.size(), -1);
   for (std::size_t s = 0; s < domain.segments.size(); ++s) {
+    if (is_inside[s] == 0) continue;
     const Segment& segment = domain.segments[s];
     const Point& p = domain.points[at(segment.a)];
     const Point& q = domain.points[at(segment.b)];
@@ -104,14 +106,12 @@ std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const 
       if (e < 0 || segment_of[at(e)] >= 0) return std::nullopt;
       segment_of[at(e)] = static_cast<int>(s);
       v = mesh.edges[at(e)][0] == v ? mesh.edges[at(e)][1] : mesh.edges[at(e)][0];
-      if (domain.segments[s].required && v != last) return std::nullopt;
+      if (segment.required && v != last) return std::nullopt;
     }
   }
   const bool all = std::none_of(segment_of.begin(), segment_of.end(), [](int s) { return s < 0; });
   return all ? std::optional(std::move(segment_of)) : std::nullopt;
 }
-
-namespace {
 
 /// The regions of a triangulated domain beside its segments.
 class RegionsBeside {
@@ -166,10 +166,8 @@ bool has_isolated_points(const Mesh& mesh, const Mesh& sites) {
   return isolated.empty() || std::ranges::count_if(mesh.points, is_one) == std::ssize(isolated);
 }
 
-}  // namespace
-
+/// Gives a mesh whose edges are labelled with segments the domain's regions; false where that cannot be.
 bool take_regions(Mesh& mesh, const Mesh& sites, const Domain& domain) {
-  if (!has_isolated_points(mesh, sites)) return false;
   const RegionsBeside found(mesh, domain), wanted(sites, domain);
   std::map<int, int> new_region;
   for (std::size_t s = 0; s < domain.segments.size(); ++s) {
@@ -181,6 +179,15 @@ bool take_regions(Mesh& mesh, const Mesh& sites, const Domain& domain) {
   }
   for (int& region : mesh.regions) region = new_region.at(region);
   return true;
+}
+
+}  // namespace
+
+std::optional<Mesh> fitted(Mesh mesh, const Domain& domain, const Mesh& sites) {
+  std::optional<std::vector<int>> segments = match_edges_to_segments(mesh, domain, sites);
+  if (!segments || !has_isolated_points(mesh, sites)) return std::nullopt;
+  mesh.labels = std::move(*segments);
+  return take_regions(mesh, sites, domain) ? std::optional(std::move(mesh)) : std::nullopt;
 }
 
 }  // namespace parmesan
