@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
@@ -192,6 +194,7 @@ std::vector<Crossing> curve_crossings(const Domain& domain) {
   std::vector<Crossing> crossings;
   if (!has_curves(domain)) return crossings;
   const Meetings meetings(domain);
+  std::map<std::pair<int, int>, std::vector<Point>> known;  // crossings of two segments
   for (const Meeting& meeting : meetings.all()) {
     std::optional<Point> p = refined(domain, meeting);
     if (!p && meeting.is_exact) p = meeting.place;
@@ -199,10 +202,10 @@ std::vector<Crossing> curve_crossings(const Domain& domain) {
     const Point place = at_near_end(domain, meeting, *p);
     if (ends_at(domain, meeting.first, place) && ends_at(domain, meeting.second, place)) continue;
     const double near = near_end * domain.curves[at(domain.segments[at(meeting.first)].curve)].extent();
-    const bool is_known = std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& c) {
-      return c.first == meeting.first && c.second == meeting.second && norm(c.place - place) <= near;
-    });
-    if (!is_known) crossings.push_back({meeting.first, meeting.second, place});
+    std::vector<Point>& places = known[{meeting.first, meeting.second}];
+    if (std::ranges::any_of(places, [&](const Point& q) { return norm(q - place) <= near; })) continue;
+    places.push_back(place);
+    crossings.push_back({meeting.first, meeting.second, place});
   }
   return crossings;
 }

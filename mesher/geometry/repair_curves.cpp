@@ -34,18 +34,45 @@ void require_ends(const DomainRepair& repair, int segment) {
   require("ends", curve.at(1.0), s.b);
 }
 
-void refuse_seeds_on_curve(const DomainRepair& repair, int segment) {
+/// Places, numbered as they come, to find those that may be on a curve.
+class Places {
+ public:
+  explicit Places(const std::vector<Point>& places) {
+    for (const Point& p : places) add(p);
+  }
+
+  void add(const Point& p) {
+    by_x_.emplace(p.x, static_cast<int>(places_.size()));
+    places_.push_back(p);
+  }
+
+  /// Those within two extents of a curve's beginning, ascending. Cost: O(log n), and what is between the same x.
+  std::vector<int> near(const Curve& curve) const {
+    const Point begin = curve.at(0.0);
+    const double distance = 2.0 * curve.extent();
+    std::vector<int> found;
+    const auto last = by_x_.upper_bound(begin.x + distance);
+    for (auto place = by_x_.lower_bound(begin.x - distance); place != last; ++place)
+      if (norm((*this)[place->second] - begin) <= distance) found.push_back(place->second);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  const Point& operator[](int i) const { return places_[static_cast<std::size_t>(i)]; }
+
+ private:
+  std::vector<Point> places_;
+  std::multimap<double, int> by_x_;
+};
+
+void refuse_seeds_on_curve(const DomainRepair& repair, int segment, const Places& seeds, const char* kind) {
   const Curve& curve = curve_of(repair, repair.segment(segment));
-  const auto check = [&](const Point& seed, const char* kind, int index) {
-    if (norm(curve.at(curve.nearest(seed)) - seed) > reach(curve, seed)) return;
-    throw GeometryError(std::string(kind) + " seed " + text(index) + " lies on segment " +
-                            repair.segment_text(segment) + "; move it to the inside of what it marks",
-                        {index});
-  };
-  int index = 0;
-  for (const Point& hole : repair.domain.holes) check(hole, "hole", index++);
-  index = 0;
-  for (const RegionSeed& region : repair.domain.regions) check(region.point, "region", index++);
+  for (const int i : seeds.near(curve)) {
+    if (norm(curve.at(curve.nearest(seeds[i])) - seeds[i]) > reach(curve, seeds[i])) continue;
+    throw GeometryError(std::string(kind) + " seed " + text(i) + " lies on segment " + repair.segment_text(segment) +
+                            "; move it to the inside of what it marks",
+                        {i});
+  }
 }
 
 /// A place on a curve where it is to be split, and the point there; -1: one to be made.
@@ -55,38 +82,40 @@ struct Cut {
 };
 
 // Points of the domain on the segment, not its ends.
-std::vector<Cut> cuts_at_points(const DomainRepair& repair, const Segment& s) {
+std::vector<Cut> cuts_at_points(const DomainRepair& repair, const Places& points, const Segment& s) {
   const Curve& curve = curve_of(repair, s);
+  const Point begin = curve.at(0.0);
+  const Point end = curve.at(1.0);
   std::vector<Cut> cuts;
-  for (int v = 0; v < static_cast<int>(repair.domain.points.size()); ++v) {
-    const Point& p = repair.point(v);
+  for (const int v : points.near(curve)) {
+    const Point& p = points[v];
     const double near = reach(curve, p);
-    if (norm(p - curve.at(0.0)) > 2.0 * curve.extent()) continue;
-    if (v == s.a || v == s.b || norm(p - curve.at(0.0)) <= near || norm(p - curve.at(1.0)) <= near) continue;
+    if (v == s.a || v == s.b || norm(p - begin) <= near || norm(p - end) <= near) continue;
     const double t = curve.nearest(p);
     if (norm(curve.at(t) - p) <= near) cuts.push_back({t, v});
   }
   return cuts;
 }
 
-int make_point(DomainRepair& repair, const Point& p) {
+int make_point(DomainRepair& repair, Places& points, const Point& p) {
   const int next = repair.next_source_point();
   repair.domain.points.push_back(p);
   repair.point_sources.push_back(next);
+  points.add(p);
   return static_cast<int>(repair.domain.points.size()) - 1;
 }
 
 // Kinks, points, and the middle of a closed curve that has none of them.
-std::vector<Cut> cuts_of(DomainRepair& repair, const Segment& s) {
-  std::vector<Cut> cuts = cuts_at_points(repair, s);
+std::vector<Cut> cuts_of(DomainRepair& repair, Places& points, const Segment& s) {
+  std::vector<Cut> cuts = cuts_at_points(repair, points, s);
   const Curve& curve = curve_of(repair, s);
   for (const double t : curve.kinks()) {
-    const auto is_there = [&](const Cut& cut) {
-      return norm(repair.point(cut.point) - curve.at(t)) <= reach(curve, curve.at(t));
-    };
-    if (std::none_of(cuts.begin(), cuts.end(), is_there)) cuts.push_back({t, make_point(repair, curve.at(t))});
+    const Point kink = curve.at(t);
+    const double near = reach(curve, kink);
+    const auto is_there = [&](const Cut& cut) { return norm(points[cut.point] - kink) <= near; };
+    if (std::none_of(cuts.begin(), cuts.end(), is_there)) cuts.push_back({t, make_point(repair, points, kink)});
   }
-  if (s.a == s.b && cuts.empty()) cuts.push_back({0.5, make_point(repair, curve.at(0.5))});
+  if (s.a == s.b && cuts.empty()) cuts.push_back({0.5, make_point(repair, points, curve.at(0.5))});
   std::sort(cuts.begin(), cuts.end(), [](const Cut& c, const Cut& d) { return c.t < d.t; });
   return cuts;
 }
@@ -128,10 +157,15 @@ DomainRepair merge_equal_curves(DomainRepair repair) {
 }
 
 DomainRepair split_curves(DomainRepair repair) {
+  if (!has_curves(repair.domain)) return repair;
+  const Places holes(repair.domain.holes);
+  Places regions({});
+  for (const RegionSeed& seed : repair.domain.regions) regions.add(seed.point);
   for (int s = 0; s < static_cast<int>(repair.domain.segments.size()); ++s) {
     if (repair.segment(s).is_straight()) continue;
     require_ends(repair, s);
-    refuse_seeds_on_curve(repair, s);
+    refuse_seeds_on_curve(repair, s, holes, "hole");
+    refuse_seeds_on_curve(repair, s, regions, "region");
   }
   return cut_curves(std::move(repair));
 }
@@ -139,18 +173,18 @@ DomainRepair split_curves(DomainRepair repair) {
 DomainRepair cut_curves(DomainRepair repair) {
   const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
   const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
+  Places points(repair.domain.points);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
     repair.domain.segments.push_back(s);
     repair.segment_sources.push_back(sources[i]);
     if (s.is_straight()) continue;
-    const std::vector<Cut> cuts = cuts_of(repair, s);
+    const std::vector<Cut> cuts = cuts_of(repair, points, s);
     double from = 0.0;
     for (const Cut& cut : cuts) {
-      const Curve whole = curve_of(repair, s);
       repair.domain.segments.back().b = cut.point;
       repair.domain.segments.back().curve = static_cast<int>(repair.domain.curves.size());
-      repair.domain.curves.push_back(whole.part(from, cut.t));
+      repair.domain.curves.push_back(curve_of(repair, s).part(from, cut.t));
       Segment rest = s;
       rest.a = cut.point;
       rest.curve = static_cast<int>(repair.domain.curves.size());

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -293,4 +296,27 @@ TEST_CASE("a mesh that is thicker than the domain because of its chords is warne
   const GenerateResult made = generate(domain, ConstantField(Metric::isotropic(1.0)));
   CHECK(std::ranges::any_of(made.report.warnings,
                             [](const std::string& w) { return w.find("not as thin") != std::string::npos; }));
+}
+
+TEST_CASE("cleaning a plate with many round holes looks at each from near by only", "[mesher][curves]") {
+  // In a column, where all have the same x.
+  const auto looks = [](int num_holes) {
+    auto count = std::make_shared<std::atomic<std::int64_t>>(0);
+    Domain domain;
+    support::add_polygon(domain, {{0, 0}, {1, 0}, {1, 1.0 * num_holes}, {0, 1.0 * num_holes}}, 1);
+    for (int i = 0; i < num_holes; ++i) {
+      const Point center{0.5, 0.5 + i};
+      const auto point = [=](double s) {
+        ++*count;
+        return center + 0.25 * Vector{std::cos(s), std::sin(s)};
+      };
+      const auto derivative = [](double s) { return 0.25 * Vector{-std::sin(s), std::cos(s)}; };
+      support::add_closed_curve(domain, Curve(point, derivative, 0.0, 2.0 * std::numbers::pi), 2);
+      domain.holes.push_back(center);
+      domain.regions.push_back({{0.1, 0.5 + i}, 1});
+    }
+    clean(domain);
+    return static_cast<double>(*count);
+  };
+  CHECK(looks(80) < 2.2 * looks(40));
 }
