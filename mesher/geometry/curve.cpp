@@ -39,6 +39,7 @@ Curve::Curve(Map point, Map derivative, double first, double last, std::vector<d
   if (!std::isfinite(first) || !std::isfinite(last) || first == last)
     throw GeometryError("a curve's parameter must go from one finite number to another; it goes from " +
                         std::to_string(first) + " to " + std::to_string(last));
+  std::sort(breaks_.begin(), breaks_.end());
   sample();
 }
 
@@ -126,7 +127,10 @@ void Curve::sample_between(double from, double to) {
 }
 
 Curve Curve::part(double t0, double t1) const {
-  return Curve(point_, derivative_, parameter(t0), parameter(t1), breaks_);
+  const auto [low, high] = std::minmax({parameter(t0), parameter(t1)});
+  const auto first = std::upper_bound(breaks_.begin(), breaks_.end(), low);
+  return Curve(point_, derivative_, parameter(t0), parameter(t1),
+               {first, std::lower_bound(first, breaks_.end(), high)});
 }
 
 // The number of the sample that ends the arc with t in it.

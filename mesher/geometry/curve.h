@@ -97,7 +97,7 @@ class Curve {
   Map derivative_;
   double first_;
   double last_;
-  std::vector<double> breaks_;
+  std::vector<double> breaks_;  // ascending
   std::vector<Sample> samples_;
   std::vector<double> kinks_;
   double extent_ = 0.0;

@@ -34,7 +34,9 @@ struct Polygon {
 
 class ChordSearch {
  public:
-  explicit ChordSearch(const Domain& domain) : domain_(domain) {
+  explicit ChordSearch(const Domain& domain) : domain_(domain), frame_(domain) {
+    frame_.segments.clear();
+    frame_.curves.clear();
     for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) cut(s, 0.0, 1.0);
     size_ = bounding_diagonal(points_around(domain));
   }
@@ -55,6 +57,7 @@ class ChordSearch {
   void halve();
 
   const Domain& domain_;
+  Domain frame_;  // without segments and curves
   double size_ = 0.0;
   std::vector<Chord> chords_;
   std::vector<char> to_halve_;
@@ -77,9 +80,7 @@ void ChordSearch::cut(int segment, double t0, double t1) {
 
 // Each chord of a curve in so many parts of the parameter.
 Polygon ChordSearch::polygon(int parts) const {
-  Polygon result{.domain = domain_, .chords = {}};
-  result.domain.segments.clear();
-  result.domain.curves.clear();
+  Polygon result{.domain = frame_, .chords = {}};
   int from = 0;
   for (int c = 0; c < static_cast<int>(chords_.size()); ++c) {
     const Chord& chord = chords_[at(c)];

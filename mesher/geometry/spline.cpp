@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "mesher/errors.h"
@@ -113,16 +114,16 @@ Curve spline_curve(Spline spline) {
   fill_in(spline);
   const double first = spline.knots[at(spline.degree)];
   const double last = spline.knots[spline.control.size()];
-  std::vector<double> breaks = spline.knots;
-  const auto point = [spline](double s) {
-    const Homogeneous v = evaluate(spline, s).value;
+  const auto shared = std::make_shared<const Spline>(std::move(spline));
+  const auto point = [shared](double s) {
+    const Homogeneous v = evaluate(*shared, s).value;
     return Point{v.x / v.w, v.y / v.w};
   };
-  const auto derivative = [spline](double s) {
-    const auto [v, d] = evaluate(spline, s);
+  const auto derivative = [shared](double s) {
+    const auto [v, d] = evaluate(*shared, s);
     return Vector{(d.x - v.x / v.w * d.w) / v.w, (d.y - v.y / v.w * d.w) / v.w};
   };
-  return Curve(point, derivative, first, last, std::move(breaks));
+  return Curve(point, derivative, first, last, shared->knots);
 }
 
 }  // namespace parmesan
