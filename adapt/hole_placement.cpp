@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mesher/geometry/even_odd.h"
-#include "mesher/metric/box_tree.h"
+#include "mesher/geometry/box_tree.h"
 
 namespace parmesan {
 namespace {

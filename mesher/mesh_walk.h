@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesher/mesh.h"
-#include "mesher/metric/box_tree.h"
+#include "mesher/geometry/box_tree.h"
 
 namespace parmesan {
 

@@ -1,23 +1,26 @@
 #include "mesher/geometry/curve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/geometry/rounding.h"
 
 namespace parmesan {
 namespace {
 
 constexpr double max_turn = 0.18;  // from sample to sample, about 10 degrees
+constexpr double doubt = 2.0;      // of deviations, which are measured in the middle of an arc only
 
 double angle(const Vector& a, const Vector& b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
 
 Vector direction(const Vector& d) { return (1.0 / norm(d)) * d; }
 
-double distance_to_chord(const Point& p, const Point& a, const Point& b) {
+double distance_to_line(const Point& p, const Point& a, const Point& b) {
   const double length = norm(b - a);
   return length > 0.0 ? std::abs(cross(b - a, p - a)) / length : norm(p - a);
 }
@@ -93,6 +96,13 @@ void Curve::sample() {
     if (marks[i] > marks[i - 1]) sample_between(marks[i - 1], marks[i]);
   extent_ = bounding_diagonal(sample_points());
   if (!(extent_ > 0.0)) throw GeometryError("a curve stays in one place");
+  arcs_ = BoxTree(samples_.size() - 1, [this](std::size_t i) {
+    const double reach = doubt * samples_[i + 1].deviation;
+    BoxTree::Box box;
+    for (const Point& p : {samples_[i].point, samples_[i + 1].point})
+      for (const double d : {-reach, reach}) box.add(p + Vector{d, d});
+    return box;
+  });
 }
 
 // Halved until little is turned; where that does not help there is a kink. One at an end is where a longer curve was
@@ -120,7 +130,7 @@ void Curve::sample_between(double from, double to) {
       if (end > at_end && end < 1.0 - at_end) kinks_.push_back(end);
       turned = 0.0;
     }
-    samples_.push_back({end, b, samples_.back().turned + turned, distance_to_chord(m, a, b)});
+    samples_.push_back({end, b, samples_.back().turned + turned, distance_to_line(m, a, b)});
     from = end;
     ends.pop_back();
   }
@@ -204,27 +214,32 @@ double Curve::nearest_on_arc(std::size_t arc, const Point& p) const {
   return t;
 }
 
+double Curve::distance_to_chord(std::size_t arc, const Point& p) const {
+  const Point& a = samples_[arc - 1].point;
+  const Point& b = samples_[arc].point;
+  return norm(p - lerp(a, b, nearest_on_chord(p, a, b)));
+}
+
 // An arc is a candidate unless, as far from its chord as it is, it is farther than another surely is.
 double Curve::nearest(const Point& p) const {
-  constexpr double margin = 2.0;  // the deviation is measured in the middle only
-  std::vector<double> distances(samples_.size());
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < samples_.size(); ++i) {
-    const Point& a = samples_[i - 1].point;
-    const Point& b = samples_[i].point;
-    distances[i] = norm(p - lerp(a, b, nearest_on_chord(p, a, b)));
-    least = std::min(least, distances[i] + margin * samples_[i].deviation);
-  }
+  const auto at_most = [&](std::size_t arc) { return distance_to_chord(arc, p) + doubt * samples_[arc].deviation; };
+  const auto at_most_squared = [&](std::size_t i) { return at_most(i + 1) * at_most(i + 1); };
+  const double least = at_most(arcs_.nearest(p, at_most_squared) + 1);
   double best = 0.0;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < samples_.size(); ++i) {
-    if (distances[i] - margin * samples_[i].deviation > least) continue;
-    const double t = nearest_on_arc(i, p);
+  const auto may_be_nearest = [&](const BoxTree::Box& box) {
+    const double reach = least + rounding_of(std::array{p, box.low, box.high});
+    return box.squared_distance(p) <= reach * reach;
+  };
+  arcs_.for_each_in(may_be_nearest, [&](std::size_t i) {
+    const std::size_t arc = i + 1;
+    if (distance_to_chord(arc, p) - doubt * samples_[arc].deviation > least) return;
+    const double t = nearest_on_arc(arc, p);
     const double distance = norm(p - at(t));
-    if (distance >= best_distance) continue;
+    if (distance >= best_distance) return;
     best = t;
     best_distance = distance;
-  }
+  });
   return best;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/point.h"
 
 namespace parmesan {
@@ -35,7 +36,8 @@ class Curve {
   Curve part(double t0, double t1) const;
 
   /// The parameter of the point of the curve that is nearest to p: to rounding for p on the curve, less and less
-  /// accurate as p comes near to a center of curvature.
+  /// accurate as p comes near to a center of curvature. Cost: O(log n) expected in the samples, O(n) near such a
+  /// center.
   double nearest(const Point& p) const;
 
   /// By what angle the curve turns from t0 to t1, turns to the left and to the right both counted as positive.
@@ -91,6 +93,7 @@ class Curve {
   void sample();
   void sample_between(double from, double to);
   std::size_t arc_at(double t) const;
+  double distance_to_chord(std::size_t arc, const Point& p) const;
   double nearest_on_arc(std::size_t arc, const Point& p) const;
 
   Map point_;
@@ -99,6 +102,7 @@ class Curve {
   double last_;
   std::vector<double> breaks_;  // ascending
   std::vector<Sample> samples_;
+  BoxTree arcs_;  // that end at the samples from the second on, around all that is as near to their chords as they are
   std::vector<double> kinks_;
   double extent_ = 0.0;
   std::vector<double> chord_errors_;  // of the arc that ends at each sample; empty: no limit

@@ -15,7 +15,7 @@
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
-#include "mesher/metric/box_tree.h"
+#include "mesher/geometry/box_tree.h"
 #include "mesher/metric/gradation.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/delaunay.h"

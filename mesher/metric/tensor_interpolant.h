@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesher/mesh.h"
-#include "mesher/metric/box_tree.h"
+#include "mesher/geometry/box_tree.h"
 #include "mesher/metric/tensor_field.h"
 
 namespace parmesan {

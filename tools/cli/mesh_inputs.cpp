@@ -16,7 +16,7 @@
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/metric/boundary_alignment.h"
-#include "mesher/metric/box_tree.h"
+#include "mesher/geometry/box_tree.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/metric/feature_size.h"
 #include "mesher/metric/metric_samples.h"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/cubic_spline.h"
 #include "tests/support/curved_domains.h"
 #include "tests/support/splines.h"
 
@@ -52,6 +53,25 @@ TEST_CASE("The nearest point of a curve is no farther than any of many others", 
       const double found = norm(curve.at(curve.nearest(p)) - p);
       for (int k = 0; k <= 2000; ++k) REQUIRE(found <= norm(curve.at(k / 2000.0) - p) + 1e-7 * curve.extent());
     }
+  }
+}
+
+TEST_CASE("The nearest point of a long curve is no farther than any of its samples", "[mesher][geometry]") {
+  std::vector<Point> points;
+  for (int i = 0; i < 3000; ++i) {
+    const double angle = 2.0 * pi * i / 3000;
+    points.push_back({(1.0 + 0.3 * std::sin(30.0 * angle)) * std::cos(angle), std::sin(angle)});
+  }
+  const Curve curve = cubic_spline(points, SplineEnds::Periodic);
+  const std::vector<Point> samples = curve.sample_points();
+  for (int i = 0; i < 500; ++i) {
+    const double t = (i + 0.5) / 500;
+    const Vector along = curve.tangent(t);
+    const double offset = std::min(0.01, 0.1 / curve.curvature(t));
+    const Point p = curve.at(t) + (i % 2 == 0 ? offset : -offset) * Vector{-along.y, along.x};
+    double least = std::numeric_limits<double>::infinity();
+    for (const Point& sample : samples) least = std::min(least, norm(sample - p));
+    CHECK(norm(curve.at(curve.nearest(p)) - p) <= least + 1e-12);
   }
 }
 

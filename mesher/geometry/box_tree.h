@@ -12,7 +12,8 @@
 
 namespace parmesan {
 
-/// Boxes around things that are numbered locally, sixteen by sixteen, and around the boxes: to find the nearest one.
+/// Boxes around things that are numbered locally, sixteen by sixteen, and around the boxes: to find the nearest
+/// one, or those somewhere.
 class BoxTree {
  public:
   struct Box {
@@ -51,6 +52,13 @@ class BoxTree {
     return search.best;
   }
 
+  /// Calls visit(i), ascending, for the things in those boxes around sixteen of them that accepts(box), as every box
+  /// around them does. Cost: O(log n), and the boxes that are accepted.
+  template <class Accepts, class Visit>
+  void for_each_in(Accepts accepts, Visit visit) const {
+    if (size_ > 0) descend(levels_.size() - 1, 0, accepts, visit);
+  }
+
  private:
   static constexpr std::size_t width = 16;
 
@@ -63,6 +71,19 @@ class BoxTree {
       boxes[i / width].add(box.high);
     }
     return boxes;
+  }
+
+  template <class Accepts, class Visit>
+  void descend(std::size_t level, std::size_t block, Accepts& accepts, Visit& visit) const {
+    if (!accepts(levels_[level][block])) return;
+    const std::size_t end = std::min((block + 1) * width, level == 0 ? size_ : levels_[level - 1].size());
+    for (std::size_t i = block * width; i < end; ++i) {
+      if (level == 0) {
+        visit(i);
+      } else {
+        descend(level - 1, i, accepts, visit);
+      }
+    }
   }
 
   template <class SquaredDistance>
