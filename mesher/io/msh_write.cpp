@@ -102,15 +102,15 @@ class MshWriter {
     numbers_.size(surfaces_.size());
     numbers_.size(0);
     numbers_.end_row();
-    for (const Group& group : lines_) write_entity(group);
-    for (const Group& group : surfaces_) write_entity(group);
+    const Bounds bounds = bounds_of(mesh_);
+    for (const Group& group : lines_) write_entity(group, bounds);
+    for (const Group& group : surfaces_) write_entity(group, bounds);
     numbers_.finish();
     out_ << "$EndEntities\n";
   }
 
   /// With the bounds of the whole mesh, and nothing around it: Gmsh works them out.
-  void write_entity(const Group& group) {
-    const Bounds bounds = bounds_of(mesh_);
+  void write_entity(const Group& group, const Bounds& bounds) {
     numbers_.integer(group.number);
     for (const Point& p : {bounds.low, bounds.high}) {
       numbers_.real(p.x);
