@@ -99,11 +99,15 @@ std::optional<std::string> distant_chords(const Mesh& mesh, const Domain& domain
   constexpr double much = 0.5;
   const std::map<std::array<int, 2>, double> deviations = deviations_from_curves(mesh, domain);
   if (deviations.empty()) return std::nullopt;
+  std::vector<char> is_on_curve(mesh.points.size(), 0);
+  for (const auto& [ends, deviation] : deviations)
+    for (const int v : ends) is_on_curve[at(v)] = 1;
   int count = 0;
   double worst = much;  // over the height
   Point place;
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
+      if (is_on_curve[at(t[k])] == 0 || is_on_curve[at(t[(k + 1) % 3])] == 0) continue;
       const auto found = deviations.find(ends_in_order(t[k], t[(k + 1) % 3]));
       if (found == deviations.end()) continue;
       const Point &a = mesh.points[at(t[k])], &b = mesh.points[at(t[(k + 1) % 3])];

@@ -20,7 +20,7 @@ std::vector<EdgeMiddle> middles_on_curves(const Mesh& mesh, const Domain& domain
 std::optional<Mesh> put_on_curves(Mesh mesh, const Domain& domain);
 
 /// What is to be said of edges that are farther from their curves than half the height of a triangle beside them: the
-/// mesh is not as thin as the domain there. Labels as above. Cost: O(n).
+/// mesh is not as thin as the domain there. Labels as above. Cost: O(n), O(b log b) for the edges on curves.
 std::optional<std::string> distant_chords(const Mesh& mesh, const Domain& domain);
 
 /// Errors: MeshingError when edges cross, or lie on one another. On curves they may, where no triangle lies between
