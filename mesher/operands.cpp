@@ -21,20 +21,17 @@ constexpr double chord_share = 1e-4;
 
 /// The number of segments between each face and the unbounded one, at least.
 std::vector<int> layers_of(const Domain& domain, const Faces& faces) {
-  std::vector<std::vector<int>> neighbors(at(faces.count()));
-  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) {
-    const auto& [left, right] = faces.beside(s);
-    neighbors[at(left)].push_back(right);
-    neighbors[at(right)].push_back(left);
-  }
-  std::vector<int> layers(neighbors.size(), -1);
+  const std::vector<std::vector<int>> around = segments_around(static_cast<int>(domain.segments.size()), faces);
+  std::vector<int> layers(around.size(), -1);
   std::vector<int> reached{0};
   layers[0] = 0;
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    for (const int face : neighbors[at(reached[i])]) {
-      if (layers[at(face)] >= 0) continue;
-      layers[at(face)] = layers[at(reached[i])] + 1;
-      reached.push_back(face);
+    for (const int s : around[at(reached[i])]) {
+      for (const int face : faces.beside(s)) {
+        if (layers[at(face)] >= 0) continue;
+        layers[at(face)] = layers[at(reached[i])] + 1;
+        reached.push_back(face);
+      }
     }
   }
   return layers;
@@ -132,6 +129,13 @@ bool split_at_near_points(Operands& operands, double tolerance) {
 }
 
 }  // namespace
+
+std::vector<std::vector<int>> segments_around(int num_segments, const Faces& faces) {
+  std::vector<std::vector<int>> around(at(faces.count()));
+  for (int s = 0; s < num_segments; ++s)
+    for (const int face : faces.beside(s)) around[at(face)].push_back(s);
+  return around;
+}
 
 std::vector<char> faces_inside(const Domain& domain, const Faces& faces) {
   const std::vector<int> layers = layers_of(domain, faces);

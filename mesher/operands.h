@@ -29,30 +29,42 @@ Operands with_chords(const Operands& operands, std::span<const char> is_replaced
 /// Which faces are inside of a domain, by its rule and its hole seeds.
 std::vector<char> faces_inside(const Domain& domain, const Faces& faces);
 
-/// Which faces are reached from the unbounded one across an odd number of segments. toggles(s): whether segment s
-/// counts.
-template <class Toggles>
-std::vector<char> odd_faces(int num_segments, const Faces& faces, Toggles toggles) {
-  std::vector<std::vector<int>> around(static_cast<std::size_t>(faces.count()));  // segments of each face
-  for (int s = 0; s < num_segments; ++s)
-    for (const int face : faces.beside(s)) around[static_cast<std::size_t>(face)].push_back(s);
-  std::vector<char> is_odd(around.size(), 0);
+/// The segments beside each face. Cost: O(n).
+std::vector<std::vector<int>> segments_around(int num_segments, const Faces& faces);
+
+/// A walk from the unbounded face to all others, the way it came, and back: cross(s) where it goes across segment s, to
+/// either side, and enter(f) where it comes into face f first. Cost: O(n).
+template <class Cross, class Enter>
+void walk_faces(int num_segments, const Faces& faces, Cross cross, Enter enter) {
+  struct Step {
+    int face;
+    int across;  // the segment on the way here
+    std::size_t next = 0;
+  };
+  const std::vector<std::vector<int>> around = segments_around(num_segments, faces);
   std::vector<char> is_known(around.size(), 0);
-  std::vector<int> open{0};
-  is_known[0] = 1;
-  while (!open.empty()) {
-    const int from = open.back();
-    open.pop_back();
-    for (const int s : around[static_cast<std::size_t>(from)]) {
-      const auto& [left, right] = faces.beside(s);
-      const auto to = static_cast<std::size_t>(left == from ? right : left);
-      if (is_known[to] != 0) continue;
-      is_known[to] = 1;
-      is_odd[to] = static_cast<char>((is_odd[static_cast<std::size_t>(from)] != 0) != toggles(s));
-      open.push_back(static_cast<int>(to));
+  std::vector<Step> way;
+  const auto go = [&](int face, int across) {
+    is_known[static_cast<std::size_t>(face)] = 1;
+    enter(face);
+    way.push_back({face, across});
+  };
+  go(0, -1);
+  while (!way.empty()) {
+    Step& here = way.back();
+    const std::vector<int>& segments = around[static_cast<std::size_t>(here.face)];
+    if (here.next == segments.size()) {
+      if (here.across >= 0) cross(here.across);
+      way.pop_back();
+      continue;
     }
+    const int s = segments[here.next++];
+    const auto& [left, right] = faces.beside(s);
+    const int to = left == here.face ? right : left;
+    if (is_known[static_cast<std::size_t>(to)] != 0) continue;
+    cross(s);
+    go(to, s);
   }
-  return is_odd;
 }
 
 }  // namespace parmesan

@@ -68,18 +68,21 @@ class Arrangement {
 
 void Arrangement::find_faces(SetOperation operation) {
   std::vector<int> num_around(at(faces_.count()), 0);  // operands that a face is inside of
-  std::vector<char> is_in_first;
-  for (int operand = 0; operand < operands_.count; ++operand) {
-    const std::vector<char> inside = odd_faces(num_segments(), faces_, [&](int s) {
-      const std::vector<int> all = sources(s);
-      const auto is_border = [&](int source) {
-        return operands_.owners[at(source)] == operand && operands_.is_border[at(source)] != 0;
-      };
-      return std::count_if(all.begin(), all.end(), is_border) % 2 == 1;
-    });
-    for (std::size_t face = 0; face < inside.size(); ++face) num_around[face] += inside[face];
-    if (operand == 0) is_in_first = inside;
-  }
+  std::vector<char> is_in_first(num_around.size(), 0);
+  std::vector<char> is_inside(at(operands_.count), 0);  // of each operand, where the walk is
+  int num_inside = 0;
+  const auto cross = [&](int segment) {
+    for (const int source : sources(segment)) {
+      if (operands_.is_border[at(source)] == 0) continue;
+      char& inside = is_inside[at(operands_.owners[at(source)])];
+      num_inside += inside == 0 ? 1 : -1;
+      inside = static_cast<char>(inside == 0);
+    }
+  };
+  walk_faces(num_segments(), faces_, cross, [&](int face) {
+    num_around[at(face)] = num_inside;
+    is_in_first[at(face)] = is_inside[0];
+  });
   for (std::size_t face = 0; face < num_around.size(); ++face) {
     const int n = num_around[face];
     const bool is_only_first = n == 1 && is_in_first[face] != 0;
@@ -211,8 +214,12 @@ bool is_fit(const Result& result) {
     if (!s.is_straight() && !ends_meet(result.domain, s)) return false;
   if (find_outline(result.domain).conflict) return false;
   const Faces faces(result.domain);
-  const std::vector<char> inside = odd_faces(static_cast<int>(result.domain.segments.size()), faces,
-                                             [&](int s) { return result.is_border[at(s)] != 0; });
+  std::vector<char> inside(at(faces.count()), 0);
+  bool is_inside = false;
+  walk_faces(
+      static_cast<int>(result.domain.segments.size()), faces,
+      [&](int s) { is_inside = is_inside != (result.is_border[at(s)] != 0); },
+      [&](int face) { inside[at(face)] = static_cast<char>(is_inside); });
   return std::none_of(result.domain.holes.begin(), result.domain.holes.end(),
                       [&](const Point& hole) { return inside[at(faces.at(hole))] != 0; });
 }

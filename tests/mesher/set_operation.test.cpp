@@ -12,6 +12,7 @@
 #include "mesher/errors.h"
 #include "mesher/generate.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/operands.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/curved_domains.h"
 #include "tests/support/domains.h"
@@ -169,6 +170,60 @@ TEST_CASE("Areas of random polygons obey inclusion and exclusion, points are whe
       CHECK(is_in_mesh(meshes[2], p) == (in_a && !in_b));
     }
   }
+}
+
+TEST_CASE("Of many random polygons, points are where they should be", "[mesher][sets]") {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int trial = 0; trial < 10; ++trial) {
+    INFO("trial " << trial);
+    std::vector<Domain> stars;
+    for (int i = 0; i < 7; ++i) stars.push_back(random_star(random, i));
+    for (const SetOperation operation : kOperations) {
+      const Domain result = combine(operation, stars);
+      const Mesh mesh = result.segments.empty() ? Mesh{} : checked_mesh(result);
+      for (int i = 0; i < 50; ++i) {
+        const Point p{any(random), any(random)};
+        const auto holds_p = [&](const Domain& star) { return is_in_polygon(star, p); };
+        const auto around = std::count_if(stars.begin(), stars.end(), holds_p);
+        const bool expected = operation == SetOperation::Union          ? around > 0
+                              : operation == SetOperation::Intersection ? around == 7
+                                                                        : around == 1 && holds_p(stars.front());
+        CHECK(is_in_mesh(mesh, p) == expected);
+      }
+    }
+  }
+}
+
+TEST_CASE("A walk through the faces comes into each of them across the borders around it", "[mesher][sets]") {
+  struct Square {
+    double low, high;
+  };
+  const std::vector<Square> squares{{0, 20}, {2, 8}, {3, 5}, {10, 18}, {12, 14}, {30, 40}};  // along the diagonal
+  Domain domain;
+  for (const auto& [low, high] : squares)
+    support::add_polygon(domain, {{low, low}, {high, low}, {high, high}, {low, high}}, 0);
+  const Faces faces(domain);
+  REQUIRE(faces.count() == 7);
+  const std::vector<FacePoint> points = faces.points_inside();
+  std::vector<char> is_inside(squares.size(), 0);
+  std::vector<int> visits(7, 0);
+  walk_faces(
+      static_cast<int>(domain.segments.size()), faces,
+      [&](int s) {
+        char& inside = is_inside[static_cast<std::size_t>(s / 4)];
+        inside = inside == 0 ? 1 : 0;
+      },
+      [&](int face) {
+        ++visits[static_cast<std::size_t>(face)];
+        const Point& p = points[static_cast<std::size_t>(face)].place;
+        for (std::size_t i = 0; i < squares.size(); ++i) {
+          const auto& [low, high] = squares[i];
+          CHECK((is_inside[i] != 0) == (face != 0 && std::min(p.x, p.y) > low && std::max(p.x, p.y) < high));
+        }
+      });
+  CHECK(visits == std::vector<int>(7, 1));
+  CHECK(is_inside == std::vector<char>(squares.size(), 0));
 }
 
 TEST_CASE("Pieces of boundaries keep their label, corners their coordinates", "[mesher][sets]") {
