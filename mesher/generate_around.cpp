@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "mesher/cracks.h"
@@ -41,13 +42,13 @@ struct Halves {
   std::vector<std::array<int, 2>> seam;  // the sides along the cut, by vertices of kept
 };
 
+/// The lowest one from 0 on.
 int unused_label(const ClosedMesh& closed) {
+  std::set<int> used(closed.mesh.labels.begin(), closed.mesh.labels.end());
+  for (const auto& label : closed.right_labels)
+    if (label) used.insert(*label);
   int label = 0;
-  const auto is_used = [&](int l) {
-    return std::ranges::find(closed.mesh.labels, l) != closed.mesh.labels.end() ||
-           std::ranges::find(closed.right_labels, std::optional(l)) != closed.right_labels.end();
-  };
-  while (is_used(label)) ++label;
+  for (auto next = used.lower_bound(0); next != used.end() && *next == label; ++next) ++label;
   return label;
 }
 
@@ -235,8 +236,9 @@ GenerateResult generate_around(const Mesh& mesh, const MetricField& field, const
 }
 
 Mesh with_required_regions(Mesh mesh, const std::vector<int>& regions) {
+  const std::set<int> required(regions.begin(), regions.end());
   for (int t = 0; t < mesh.num_triangles(); ++t)
-    if (std::ranges::find(regions, mesh.regions[at(t)]) != regions.end()) mesh.required.triangles.push_back(t);
+    if (required.contains(mesh.regions[at(t)])) mesh.required.triangles.push_back(t);
   mesh.required.triangles = ascending(std::move(mesh.required.triangles));
   return mesh;
 }

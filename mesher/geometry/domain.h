@@ -99,7 +99,7 @@ CleanDomain clean(const Domain& domain, Crossings crossings = Crossings::Refuse)
 /// that have no labelled edge become segments of label 0, boundary edges at one place cracks.
 ///
 /// Indices must be in range. Errors: GeometryError for triangles that overlap (see sides_of).
-/// Cost: O(n + holes x boundary edges).
+/// Cost: O(n log n) expected.
 Domain domain_of(const Mesh& mesh);
 
 }  // namespace parmesan

@@ -1,11 +1,15 @@
 #include "mesher/geometry/hole_seeds.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
 
+#include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/predicates.h"
+#include "mesher/geometry/rounding.h"
 
 namespace parmesan {
 
@@ -22,21 +26,17 @@ class BoundaryLoops {
     first_.assign(points.size() + 1, 0);
     for (const auto& [a, b] : edges) ++first_[static_cast<std::size_t>(a) + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    find_loops();
+    for (const std::vector<int>& loop : loops_) along_loops_.insert(along_loops_.end(), loop.begin(), loop.end());
+    tree_ = BoxTree(along_loops_.size(), [this](std::size_t i) {
+      BoxTree::Box box;
+      box.add(origin(along_loops_[i]));
+      box.add(destination(along_loops_[i]));
+      return box;
+    });
   }
 
-  std::vector<std::vector<int>> loops() const {
-    std::vector<bool> is_done(edges_.size(), false);
-    std::vector<std::vector<int>> result;
-    for (int first = 0; first < static_cast<int>(edges_.size()); ++first) {
-      std::vector<int> loop;
-      for (int e = first; e >= 0 && !is_done[static_cast<std::size_t>(e)]; e = next(e)) {
-        is_done[static_cast<std::size_t>(e)] = true;
-        loop.push_back(e);
-      }
-      if (!loop.empty()) result.push_back(std::move(loop));
-    }
-    return result;
-  }
+  const std::vector<std::vector<int>>& loops() const { return loops_; }
 
   /// Twice the area that the loop goes round counter-clockwise.
   double doubled_area_of(const std::vector<int>& loop) const {
@@ -55,13 +55,37 @@ class BoundaryLoops {
     const Vector along = destination(longest) - origin(longest);
     const Vector right{along.y, -along.x};
     double nearest = std::numeric_limits<double>::infinity();
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
+    const auto look_at = [&](int e) {
       if (e != longest) nearest = std::min(nearest, hit(start, right, e));
-    }
+    };
+    for (const int e : loop) look_at(e);
+    const auto may_be_hit = [&](const BoxTree::Box& box) {
+      return !std::isfinite(nearest) || overlap(box, start, start + nearest * right);
+    };
+    tree_.for_each_in(may_be_hit, [&](std::size_t i) { look_at(along_loops_[i]); });
     return start + 0.5 * nearest * right;
   }
 
  private:
+  void find_loops() {
+    std::vector<bool> is_done(edges_.size(), false);
+    for (int first = 0; first < static_cast<int>(edges_.size()); ++first) {
+      std::vector<int> loop;
+      for (int e = first; e >= 0 && !is_done[static_cast<std::size_t>(e)]; e = next(e)) {
+        is_done[static_cast<std::size_t>(e)] = true;
+        loop.push_back(e);
+      }
+      if (!loop.empty()) loops_.push_back(std::move(loop));
+    }
+  }
+
+  /// Does a box come within rounding of the upright box around two points?
+  static bool overlap(const BoxTree::Box& box, const Point& a, const Point& b) {
+    const double reach = rounding_of(std::array{a, b, box.low, box.high});
+    return std::min(a.x, b.x) <= box.high.x + reach && std::max(a.x, b.x) >= box.low.x - reach &&
+           std::min(a.y, b.y) <= box.high.y + reach && std::max(a.y, b.y) >= box.low.y - reach;
+  }
+
   const std::array<int, 2>& edge(int e) const { return edges_[static_cast<std::size_t>(e)]; }
   const Point& point(int v) const { return points_[static_cast<std::size_t>(v)]; }
   const Point& origin(int e) const { return point(edge(e)[0]); }
@@ -101,6 +125,9 @@ class BoundaryLoops {
   std::span<const std::array<int, 2>> edges_;
   std::vector<int> by_origin_;         // edges sorted by origin
   std::vector<std::ptrdiff_t> first_;  // of each origin in by_origin_
+  std::vector<std::vector<int>> loops_;
+  std::vector<int> along_loops_;  // all edges
+  BoxTree tree_;                  // of these
 };
 
 }  // namespace

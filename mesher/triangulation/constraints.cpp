@@ -114,7 +114,8 @@ EdgeId replace(Triangulation& t, const Crossing& crossing, int segment) {
 
 void insert_constraint(Triangulation& t, VertexId a, VertexId b, int segment) {
   while (a != b) {
-    const Departure departure = depart(t, a, b, segment);
+    const EdgeId whole = edge_between(t, a, b);  // whose cost is that of the lower degree
+    const Departure departure = whole != no_edge ? Departure{whole, true} : depart(t, a, b, segment);
     EdgeId e = departure.spoke;
     if (!departure.is_along) e = replace(t, trace(t, e, b, segment), segment);
     if (!t.is_constrained(e)) t.set_segment(e, segment);

@@ -142,7 +142,7 @@ void set_segments(const Mesh& mesh, std::span<const int> edge_segments, const st
                   Triangulation& t) {
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const auto [a, b] = mesh.edges[i];
-    const EdgeId e = t.edge_of(a) == no_edge ? no_edge : edge_between(t, a, b);
+    const EdgeId e = t.has_vertex(a) && t.has_vertex(b) ? edge_between(t, a, b) : no_edge;
     if (e == no_edge)
       throw GeometryError("edge " + std::to_string(i) + " is no side of a triangle", {static_cast<int>(i)});
     t.set_segment(e, edge_segments[i]);

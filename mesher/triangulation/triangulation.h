@@ -99,13 +99,17 @@ void for_each_spoke(const Triangulation& t, VertexId v, F f) {
   } while (e != first);
 }
 
-/// The edge from a, which is not isolated, to b; no_edge when there is none.
+/// The edge from a to b, neither of them isolated; no_edge when there is none. Cost: O(the lower degree).
 inline EdgeId edge_between(const Triangulation& t, VertexId a, VertexId b) {
-  EdgeId found = no_edge;
-  for_each_spoke(t, a, [&](EdgeId e) {
-    if (t.dest(e) == b) found = e;
-  });
-  return found;
+  EdgeId of_a = t.edge_of(a);
+  EdgeId of_b = t.edge_of(b);
+  do {
+    if (t.dest(of_a) == b) return of_a;
+    if (t.dest(of_b) == a) return sym(of_b);
+    of_a = t.onext(of_a);
+    of_b = t.onext(of_b);
+  } while (of_a != t.edge_of(a) && of_b != t.edge_of(b));
+  return no_edge;
 }
 
 }  // namespace parmesan

@@ -159,6 +159,20 @@ TEST_CASE("required triangles stay bit for bit while the rest is meshed anew", "
   }
 }
 
+TEST_CASE("labels and regions of any number are kept around required triangles", "[mesher][required]") {
+  Mesh first = uniform(two_regions(), 0.13);
+  // All labels from -1 on, so that the one of the cut is none of them; and regions that are not in order.
+  for (int e = 0; e < first.num_edges(); ++e) first.labels[at(e)] = e - 1;
+  for (int t = 0; t < first.num_triangles(); ++t) first.regions[at(t)] = (7 * t) % first.num_triangles();
+  first = with_required_regions(std::move(first), {5, 3, 8, 3});
+  REQUIRE(first.required.triangles.size() == 3);
+  const GenerateResult result = generate_around(first, ConstantField(Metric::isotropic(0.13)));
+  check_valid(result.mesh, 1.0);
+  CHECK(required_triangles(result.mesh) == required_triangles(first));
+  CHECK(std::set<int>(result.mesh.labels.begin(), result.mesh.labels.end()) ==
+        std::set<int>(first.labels.begin(), first.labels.end()));
+}
+
 TEST_CASE("any triangles can be required, also where cracks end", "[mesher][required]") {
   Domain domain = support::unit_square();
   domain.points.insert(domain.points.end(), {{0.2, 0.5}, {0.8, 0.5}});

@@ -1,6 +1,8 @@
 #include "mesher/triangulation/constraints.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "mesher/errors.h"
@@ -118,6 +120,24 @@ TEST_CASE("a constraint across ten thousand edges takes no time that shows", "[m
   Triangulation t = delaunay(points).triangulation;
   insert_constraint(t, 100'000, 100'001, 0);
   require_constrained_delaunay(t);
+}
+
+TEST_CASE("a hub of twenty thousand constraints takes no time that shows", "[mesher][triangulation]") {
+  constexpr int n = 20'000;
+  std::vector<Point> points{{0.0, 0.0}};
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / n;
+    points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  Triangulation t = delaunay(points).triangulation;
+  for (int i = 1; i <= n; ++i) insert_constraint(t, 0, i, i);
+  for (int i = 1; i <= n; ++i) {
+    const EdgeId e = edge_between(t, 0, i);
+    REQUIRE(e != no_edge);
+    REQUIRE(e == sym(edge_between(t, i, 0)));
+    REQUIRE(t.segment(e) == i);
+  }
+  CHECK(edge_between(t, 1, n / 2) == no_edge);
 }
 
 }  // namespace parmesan

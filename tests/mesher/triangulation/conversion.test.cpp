@@ -151,6 +151,16 @@ TEST_CASE("from_mesh refuses what is no mesh", "[mesher][triangulation][errors]"
   SECTION("opposite orientations") { mesh.triangles[1] = {1, 2, 3}; }
   SECTION("a degenerate triangle") { mesh.triangles[1] = {1, 3, 3}; }
   SECTION("an edge that is none") { mesh.edges[0] = {0, 3}; }
+  SECTION("an edge from a point of no triangle") {
+    mesh.points.push_back({5, 5});
+    mesh.edges.push_back({4, 0});
+    mesh.labels.push_back(0);
+  }
+  SECTION("an edge to a point of no triangle") {
+    mesh.points.push_back({5, 5});
+    mesh.edges.push_back({0, 4});
+    mesh.labels.push_back(0);
+  }
   SECTION("a boundary edge missing") {
     mesh.edges.pop_back();
     mesh.labels.pop_back();
