@@ -37,26 +37,21 @@ Mesh parse_meshb(std::string_view bytes, const std::string& name);
 /// Writes what write_medit writes in binary, with reals of 64 bits. Errors: FileError.
 void write_meshb(const std::string& path, const Mesh& mesh);
 
-/// Reads a metric at the vertices of a mesh from a Medit .sol file with one field: a symmetric
+/// Reads a metric at the vertices of a mesh from a Medit .sol or .solb file with one field: a symmetric
 /// tensor m11 m12 m22 (type 3) or a size h (type 1), which gives the isotropic metric h^-2 I.
 ///
 /// Units: m in L^-2, h in L. expected_count: the number of vertices, checked where given.
-/// Errors: FileError with the line, also where a tensor is not positive definite.
+/// Errors: FileError with the line or the byte, also where a tensor is not positive definite.
 std::vector<Metric> read_medit_metric(const std::string& path, std::optional<int> expected_count = std::nullopt);
 std::vector<Metric> parse_medit_metric(std::string_view text, const std::string& name,
                                        std::optional<int> expected_count = std::nullopt);
 
-/// Reads one symmetric tensor m11 m12 m22 per vertex (type 3), definite or not. Errors: FileError with the line.
+/// Reads one symmetric tensor m11 m12 m22 per vertex (type 3), definite or not, from .sol or .solb.
+/// Errors: FileError with the line or the byte.
 std::vector<SymmetricTensor> read_medit_tensor(const std::string& path,
                                                std::optional<int> expected_count = std::nullopt);
 
-/// Reads one scalar per vertex (type 1). Errors: FileError with the line.
-std::vector<double> read_medit_scalar(const std::string& path, std::optional<int> expected_count = std::nullopt);
-
 /// Writes m11 m12 m22 per vertex (type 3). Errors: FileError.
 void write_medit_metric(const std::string& path, std::span<const Metric> metrics);
-
-/// Writes one number per vertex (type 1). Errors: FileError, also for numbers that are not finite.
-void write_medit_scalar(const std::string& path, std::span<const double> values);
 
 }  // namespace parmesan

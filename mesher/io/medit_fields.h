@@ -1,12 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "mesher/io/mesh_fields.h"
-#include "mesher/metric/metric.h"
 
 namespace parmesan {
 
@@ -20,10 +17,5 @@ MeshFields parse_solb(std::string_view bytes, const std::string& name);
 
 /// Writes all fields to .sol or .solb. Errors: FileError, also for numbers that are not finite.
 void write_medit_fields(const std::string& path, const MeshFields& fields);
-
-/// Reads a metric, or a field of symmetric tensors, from .sol (see read_medit_metric, read_medit_tensor) or .solb.
-/// expected_count: the number of vertices. Errors: FileError.
-std::vector<Metric> read_metric_file(const std::string& path, int expected_count);
-std::vector<SymmetricTensor> read_tensor_file(const std::string& path, int expected_count);
 
 }  // namespace parmesan

@@ -10,6 +10,7 @@
 #include "fem/norms.h"
 #include "loop_cases.h"
 #include "mesher/io/medit.h"
+#include "mesher/io/medit_fields.h"
 #include "tests/support/meshes.h"
 
 using namespace parmesan;
@@ -24,7 +25,7 @@ class GivenCase {
   explicit GivenCase(const std::string& name, const Mesh& mesh) : folder_("given_" + name) {
     std::filesystem::create_directories(folder_.path());
     write_medit(folder_.file("u.mesh"), mesh);
-    write_medit_scalar(folder_.file("u.sol"), interpolate(mesh, layer));
+    write_medit_fields(folder_.file("u.sol"), {{{"u", 1, interpolate(mesh, layer)}}, {}});
   }
 
   const support::TemporaryFolder& folder() const { return folder_; }

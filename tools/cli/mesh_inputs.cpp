@@ -13,6 +13,7 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/message_text.h"
 #include "mesher/io/boundary_edges.h"
+#include "mesher/io/medit.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/metric/boundary_alignment.h"
@@ -94,7 +95,7 @@ void warn_of_limited_change(const Mesh& background, std::span<const Metric> metr
 }
 
 std::vector<Metric> read_metrics(const Mesh& background, const MeshInputOptions& options) {
-  if (options.indicator.empty()) return read_metric_file(options.metric, background.num_vertices());
+  if (options.indicator.empty()) return read_medit_metric(options.metric, background.num_vertices());
   const IndicatorRequest request{.order = options.order,
                                  .complexity = complexity_for_vertices(static_cast<double>(options.vertices))};
   try {
@@ -117,7 +118,7 @@ void read_fields(const Mesh& background, const MeshInputOptions& options, MeshIn
   if (!options.hessian.empty() && background.triangles.empty())
     throw FileError(options.background, 0, "has no triangles, which --lower-error needs");
   if (!options.hessian.empty())
-    inputs.hessian = std::make_unique<TensorInterpolant>(background, read_tensor_file(options.hessian, n));
+    inputs.hessian = std::make_unique<TensorInterpolant>(background, read_medit_tensor(options.hessian, n));
 }
 
 /// Tells of a geometry that reaches beyond the box of its background: one of them may be misplaced.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "adapt/number_text.h"
-#include "mesher/io/medit_fields.h"
+#include "mesher/io/medit.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/quality.h"
 #include "tools/cli/commands.h"
@@ -44,7 +44,7 @@ Assessment assess(const QualityArguments& arguments) {
   result.mesh = naming_file(arguments.mesh, [&arguments] { return read_valid_mesh(arguments.mesh); });
   result.in_metric = !arguments.metric.empty();
   result.quality = result.in_metric
-                       ? measure_quality(result.mesh, read_metric_file(arguments.metric, result.mesh.num_vertices()))
+                       ? measure_quality(result.mesh, read_medit_metric(arguments.metric, result.mesh.num_vertices()))
                        : measure_quality(result.mesh);
   result.lengths = histogram(result.quality.lengths, length_bounds(result));
   result.qualities = histogram(result.quality.qualities, linear_bounds(0.0, 1.0, 10));

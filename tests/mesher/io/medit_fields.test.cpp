@@ -109,17 +109,33 @@ TEST_CASE("A metric is the same from text and binary", "[mesher][io][medit]") {
   for (const char* name : {"m.sol", "m.solb"}) {
     CAPTURE(name);
     write_medit_fields(folder / name, fields);
-    const std::vector<Metric> back = parmesan::read_metric_file(folder / name, 20);
+    const std::vector<Metric> back = parmesan::read_medit_metric(folder / name, 20);
     REQUIRE(back.size() == 20);
     for (std::size_t i = 0; i < 20; ++i) CHECK(back[i].tensor() == metrics[i].tensor());
-    CHECK(parmesan::read_tensor_file(folder / name, 20)[7] == metrics[7].tensor());
-    CHECK_THROWS_AS(parmesan::read_metric_file(folder / name, 19), FileError);
+    CHECK(parmesan::read_medit_tensor(folder / name, 20)[7] == metrics[7].tensor());
+    CHECK_THROWS_AS(parmesan::read_medit_metric(folder / name, 19), FileError);
   }
-  write_medit_fields(folder / "h.solb", {{{"h", 1, {0.25, 0.5}}}, {}});
-  CHECK(parmesan::read_metric_file(folder / "h.solb", 2)[0].tensor() == parmesan::SymmetricTensor{16.0, 0.0, 16.0});
-  CHECK_THROWS_AS(parmesan::read_tensor_file(folder / "h.solb", 2), FileError);
-  write_medit_fields(folder / "h.solb", {{{"h", 1, {0.25, -0.5}}}, {}});
-  CHECK_THAT(error_message([&] { parmesan::read_metric_file(folder / "h.solb", 2); }), Catch::Contains("vertex 2"));
+}
+
+TEST_CASE("Sizes are metrics, and what is no metric is refused alike in text and binary", "[mesher][io][medit]") {
+  const TemporaryFolder folder;
+  for (const char* name : {"h.sol", "h.solb"}) {
+    CAPTURE(name);
+    const std::string path = folder / name;
+    const auto refusal = [&](const MeshFields& fields) {
+      write_medit_fields(path, fields);
+      return error_message([&] { parmesan::read_medit_metric(path, 2); });
+    };
+    CHECK(refusal({{{"h", 1, {0.25, 0.5}}}, {}}).empty());
+    CHECK(parmesan::read_medit_metric(path, 2)[0].tensor() == parmesan::SymmetricTensor{16.0, 0.0, 16.0});
+    CHECK_THAT(error_message([&] { parmesan::read_medit_tensor(path, 2); }), Catch::Contains("must be of type 3"));
+    CHECK_THAT(refusal({{{"h", 1, {0.25, -0.5}}}, {}}), Catch::Contains("vertex 2"));
+    CHECK_THAT(refusal({{{"v", 2, {1.0, 0.0, 1.0, 0.0}}}, {}}), Catch::Contains("must be of type 1 or 3"));
+    CHECK_THAT(refusal({{{"a", 1, {1.0, 1.0}}, {"b", 1, {1.0, 1.0}}}, {}}),
+               Catch::Contains("number of fields must be 1"));
+    CHECK_THAT(refusal({{{"h", 1, {1.0}}}, {}}), Catch::Contains("has 1 values, the mesh has 2 vertices"));
+    CHECK_THAT(refusal({{}, {{"h", 1, {1.0, 1.0}}}}), Catch::Contains("SolAtVertices is missing"));
+  }
 }
 
 TEST_CASE("Values that are not finite are not written", "[mesher][io][medit][errors]") {

@@ -37,17 +37,6 @@ TEST_CASE("Metrics come back from a .sol file bit by bit", "[mesher][io][medit]"
   for (std::size_t i = 0; i < back.size(); ++i) CHECK(back[i].tensor() == metrics[i].tensor());
 }
 
-TEST_CASE("Scalars come back from a .sol file bit by bit", "[mesher][io][medit]") {
-  const TemporaryFolder folder;
-  const std::vector<double> values{0.1, -1.0 / 3.0, 5e-324, 1e308, 0.0};
-  parmesan::write_medit_scalar(folder / "u.sol", values);
-  CHECK(parmesan::read_medit_scalar(folder / "u.sol") == values);
-  CHECK_THROWS_AS(parmesan::read_medit_scalar(folder / "u.sol", 4), FileError);
-  CHECK_THROWS_AS(parmesan::write_medit_scalar(folder / "v.sol", std::vector{std::numeric_limits<double>::infinity()}),
-                  FileError);
-  CHECK(folder.num_files() == 1);
-}
-
 TEST_CASE("A .sol file gives tensors in the order m11 m12 m22, or sizes", "[mesher][io][medit]") {
   const std::vector<Metric> tensors = parse(head + "2\n1 3\n4 1 9\n1 0 1\nEnd\n");
   REQUIRE(tensors.size() == 2);
