@@ -150,11 +150,8 @@ std::vector<int> ends_by_place(const Mesh& mesh) {
   for (const auto& e : mesh.edges) ends.insert(ends.end(), e.begin(), e.end());
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::stable_sort(ends.begin(), ends.end(), [&mesh](int a, int b) {
-    const Point& p = mesh.points[at(a)];
-    const Point& q = mesh.points[at(b)];
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-  });
+  std::stable_sort(ends.begin(), ends.end(),
+                   [&mesh](int a, int b) { return comes_before(mesh.points[at(a)], mesh.points[at(b)]); });
   return ends;
 }
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/curve_crossings.h"
+#include "mesher/geometry/kept_points.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
@@ -63,28 +61,10 @@ void add(Operands& operands, const Domain& domain) {
   ++operands.count;
 }
 
-// In a grid of cells so large that near points are in neighbouring ones.
 void merge_near_points(Domain& domain, double tolerance) {
-  using Cell = std::pair<std::int64_t, std::int64_t>;
-  const double size = 2.0 * tolerance;
-  std::map<Cell, std::vector<int>> cells;
-  std::vector<int> merged(domain.points.size());
-  for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) {
-    const Point& p = domain.points[at(v)];
-    const Cell home{static_cast<std::int64_t>(std::floor(p.x / size)),
-                    static_cast<std::int64_t>(std::floor(p.y / size))};
-    int same = v;
-    for (const int dx : {-1, 0, 1}) {
-      for (const int dy : {-1, 0, 1}) {
-        const auto cell = cells.find({home.first + dx, home.second + dy});
-        if (cell == cells.end()) continue;
-        for (const int other : cell->second)
-          if (norm(domain.points[at(other)] - p) <= tolerance) same = std::min(same, other);
-      }
-    }
-    merged[at(v)] = same;
-    if (same == v) cells[home].push_back(v);
-  }
+  KeptPoints kept(domain.points, tolerance);
+  std::vector<int> merged;
+  for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) merged.push_back(kept.find_or_keep(v));
   for (Segment& s : domain.segments) s = piece_of(s, merged[at(s.a)], merged[at(s.b)]);
   for (int& v : domain.required_points) v = merged[at(v)];
 }

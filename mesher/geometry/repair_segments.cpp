@@ -43,11 +43,8 @@ std::vector<Point> points_and_seeds(const Domain& domain) {
 std::vector<int> chain_along(const DomainRepair& repair, const Segment& segment, std::vector<int> inner) {
   inner.push_back(segment.a);
   inner.push_back(segment.b);
-  std::sort(inner.begin(), inner.end(), [&repair](int i, int j) {
-    const Point& p = repair.point(i);
-    const Point& q = repair.point(j);
-    return p.x < q.x || (p.x == q.x && p.y < q.y);
-  });
+  std::sort(inner.begin(), inner.end(),
+            [&repair](int i, int j) { return comes_before(repair.point(i), repair.point(j)); });
   if (inner.front() != segment.a) std::reverse(inner.begin(), inner.end());
   return inner;
 }

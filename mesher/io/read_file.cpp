@@ -12,9 +12,9 @@
 namespace parmesan {
 namespace {
 
-/// A file that is open for reading, closed when it goes.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // of UTF-8; editors put it before texts
 
+/// A file that is open for reading, closed when it goes.
 class OpenFile {
  public:
   // Without O_NONBLOCK the opening of a pipe would wait for a writer.
