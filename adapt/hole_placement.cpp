@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "mesher/geometry/even_odd.h"
 #include "mesher/geometry/box_tree.h"
+#include "mesher/geometry/even_odd.h"
 
 namespace parmesan {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "mesher/mesh.h"
 #include "mesher/geometry/box_tree.h"
+#include "mesher/mesh.h"
 
 namespace parmesan {
 

@@ -8,6 +8,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/hilbert.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/rounding.h"
@@ -15,7 +16,6 @@
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
-#include "mesher/geometry/box_tree.h"
 #include "mesher/metric/gradation.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/delaunay.h"

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "mesher/mesh.h"
 #include "mesher/geometry/box_tree.h"
+#include "mesher/mesh.h"
 #include "mesher/metric/tensor_field.h"
 
 namespace parmesan {
