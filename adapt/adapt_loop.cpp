@@ -47,7 +47,7 @@ class Loop {
   Loop(const Case& input, const LoopOptions& options) : case_(input), options_(options) {
     goal_ = size_goal(input.targets);                  // g++ 12 crashes on it in the list above
     if (options.isotropic) case_.lower_error = false;  // its best triangles are anisotropic
-    case_.mesher.max_vertices = std::min(case_.mesher.max_vertices, options.max_vertices);
+    case_.mesher.max_vertices = options.max_vertices;
     require_within_limit(input.targets, options.max_vertices);
   }
 
@@ -204,6 +204,7 @@ class Loop {
     if (state_.history.back().error <= 1.0 && state_.last.mesh.num_vertices() <= state_.met->mesh.num_vertices())
       return false;
     state_.last = *state_.met;
+    state_.last.seconds = {};  // which the row that met them has
     state_.is_met = true;
     add_row();
     return true;

@@ -139,14 +139,16 @@ Case parse_unclean(const std::string& text, const std::string& file, const std::
   Case result;
   read_name(reading, result);
   const std::optional<CaseGeometry> geometry = read_geometry_section(reading);
+  if (geometry) {
+    result.domain = geometry->domain;
+    result.required_regions = geometry->required_regions;
+    result.kept = geometry->kept;
+  }
   read_problem_section(reading, geometry ? &*geometry : nullptr, result);
   read_functionals_section(reading, geometry ? &*geometry : nullptr, result);
   read_option_sections(reading, result);
   refuse_infinite_errors(reading, result);
   if (!reading.issues.empty()) throw CaseError(file, place_issues(reading.document, reading.issues));
-  result.domain = geometry->domain;
-  result.required_regions = geometry->required_regions;
-  result.kept = geometry->kept;
   result.title = reading.document.root["title"].get<std::string>();
   result.resolved = std::move(reading.document.root);
   return result;

@@ -57,7 +57,7 @@ struct CaseFunctional {
 
 /// Pass limit on a field of the last iteration in summary.json.
 struct Expectation {
-  std::string name;  // dotted path, e.g. "efficiency", "solution_error.l2"; or "targets_met"
+  std::vector<std::string> path;  // names from there: {"efficiency"}, {"solution_error", "l2"}; or {"targets_met"}
   std::optional<double> min, max;
   std::optional<bool> equals;
 };

@@ -83,6 +83,13 @@ void check_source(CaseReading& reading, const Equation& equation, const CheckedE
   }
 }
 
+/// A unit normal of a side; that or its opposite points outwards.
+Vector normal_at(const Domain& domain, const Segment& side, double t) {
+  const Vector along = derivative_on(domain, side, t);
+  const double length = norm(along);
+  return {along.y / length, -along.x / length};
+}
+
 void check_dirichlet(CaseReading& reading, const CaseGeometry& geometry, const Equation& equation,
                      const Problem& problem, const std::vector<Segment>& sides, double size) {
   for (std::size_t i = 0; i < std::min(sides.size(), kMostSides); ++i) {
@@ -92,8 +99,12 @@ void check_dirichlet(CaseReading& reading, const CaseGeometry& geometry, const E
       const Point p = point_on(geometry.domain, sides[i], t);
       const double exact = equation.exact->expression().value(p);
       if (!std::isfinite(exact)) continue;
-      const double given = condition->second.value(p, {}, 0);
-      if (std::fabs(given - exact) <= kDirichletTolerance * std::max(size, std::fabs(exact))) continue;
+      const Vector normal = normal_at(geometry.domain, sides[i], t);
+      const double given = condition->second.value(p, normal, 0);
+      const auto agrees = [&](double value) {
+        return std::fabs(value - exact) <= kDirichletTolerance * std::max(size, std::fabs(exact));
+      };
+      if (agrees(given) || agrees(condition->second.value(p, -normal, 0))) continue;
       return reading.issues.add("/problem/boundary", "the condition on '" +
                                                          label_name(geometry.domain.label_names, sides[i].label) +
                                                          "' does not agree with 'exact': " + at(p) + "it gives " +

@@ -12,8 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Point read_point(const Json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
-
 double radians(const Json& degrees) { return degrees.get<double>() * std::numbers::pi / 180.0; }
 
 std::string shown(const Point& p) { return "(" + short_number(p.x, 12) + ", " + short_number(p.y, 12) + ")"; }

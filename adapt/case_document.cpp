@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "adapt/json_text.h"
+#include "mesher/io/utf8.h"
 
 namespace parmesan {
 namespace {
@@ -71,6 +72,8 @@ void apply_override(const Override& entry, CaseDocument& document, CaseIssues& i
   if (!steps || steps->empty()) {
     return issues.add(entry.pointer, "not a JSON pointer to set; write for example /targets/max_iterations=5");
   }
+  if (!is_utf8(entry.pointer) || !is_utf8(entry.value))
+    return issues.add(entry.pointer, "has bytes that are not UTF-8");
   std::optional<Json> value = override_value(entry.value);
   if (!value || steps->size() > static_cast<std::size_t>(kMaxCaseDepth))
     return issues.add(entry.pointer, value ? too_deep() : find_excess(entry.value)->problem);
@@ -116,7 +119,7 @@ CaseDocument load_document(const std::string& text, const std::string& file, con
                            CaseIssues& issues) {
   CaseDocument document{file, text, parse_json(text, file), {}};
   if (!document.root.is_object()) refuse(file, {1, 1}, "a case is an object { }");
-  for (const DuplicateKey& duplicate : find_duplicate_keys(text)) {
+  for (const DuplicateKey& duplicate : find_duplicate_keys(text, CaseIssues::kMost)) {
     const LineColumn at = line_column(text, duplicate.offset);
     issues.add(duplicate.pointer, "the key is given twice; the second time in line " + std::to_string(at.line) +
                                       ", column " + std::to_string(at.column));

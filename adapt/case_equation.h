@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -35,18 +36,17 @@ class CheckedExpression {
 /// Throws the ProblemError of a value that is not finite; what: e.g. "the expression 'x^-1'".
 [[noreturn]] void throw_not_finite(const std::string& pointer, const std::string& what, double value, const Point& p);
 
-/// Values per region with one for all others.
+/// Values per region with one for all others. Looked up in innermost loops: O(log regions).
 template <class T>
 struct Regional {
   std::string pointer;
-  std::vector<std::pair<int, T>> by_region;
+  std::map<int, T> by_region;
   std::optional<T> other;
 
   /// Errors: ProblemError when the region has no value.
   const T& at(int region) const {
-    for (const auto& entry : by_region) {
-      if (entry.first == region) return entry.second;
-    }
+    const auto found = by_region.find(region);
+    if (found != by_region.end()) return found->second;
     if (other) return *other;
     throw ProblemError(pointer + ": no value for region " + std::to_string(region) +
                        (region == 0 ? " (triangles in no named region)" : "") + "; give one for \"*\"");

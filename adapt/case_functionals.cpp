@@ -10,12 +10,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = CaseFunctional::Kind;
 
-std::vector<std::string> region_names(const Domain& domain) {
-  std::vector<std::string> names;
-  for (const RegionSeed& seed : domain.regions) names.push_back(label_name(domain.region_names, seed.region));
-  return names;
-}
-
 std::vector<std::string> labels_of(const CaseGeometry& geometry) {
   std::vector<std::string> names;
   for (const std::vector<int>& labels : {geometry.sides, geometry.optional}) {
@@ -50,7 +44,7 @@ CaseFunctional read_functional(CaseReading& reading, const CaseGeometry* geometr
   named("flux", Kind::Flux);
   if (value.contains("value")) {
     result.kind = Kind::Value;
-    result.point = {value["value"][0].get<double>(), value["value"][1].get<double>()};
+    result.point = read_point(value["value"]);
   }
   if (value.contains("exact")) result.exact = value["exact"].get<double>();
   if (!value.contains("weight")) return result;

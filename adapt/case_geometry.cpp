@@ -14,19 +14,17 @@ using Json = nlohmann::ordered_json;
 
 const std::string kGeometry = "/geometry";
 
-Point read_point(const Json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
-
 /// The numbers of the regions that are to stay, which must be known by name.
 std::vector<int> read_required_regions(CaseReading& reading, const Json& geometry, const Domain& domain) {
   std::vector<int> regions;
-  std::vector<std::string> names;
-  for (const RegionSeed& seed : domain.regions) names.push_back(label_name(domain.region_names, seed.region));
+  const std::map<std::string, std::vector<int>> numbers = regions_by_name(domain);
+  const std::vector<std::string> names = region_names(domain);
   const Json wanted = geometry.value("required", Json::array());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const std::string name = wanted[i].get<std::string>();
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) {
-      regions.push_back(domain.regions[static_cast<std::size_t>(found - names.begin())].region);
+    const auto found = numbers.find(name);
+    if (found != numbers.end()) {
+      regions.insert(regions.end(), found->second.begin(), found->second.end());
       continue;
     }
     const std::string hint = suggestion(name, names);
@@ -91,6 +89,21 @@ bool is_usable_alone(CaseReading& reading, const Json& geometry, const Shape& sh
 }
 
 }  // namespace
+
+std::map<std::string, std::vector<int>> regions_by_name(const Domain& domain) {
+  std::vector<int> numbers;
+  for (const auto& entry : domain.region_names) numbers.push_back(entry.first);
+  for (const RegionSeed& seed : domain.regions) numbers.push_back(seed.region);
+  std::map<std::string, std::vector<int>> by_name;
+  for (const int number : ascending(numbers)) by_name[label_name(domain.region_names, number)].push_back(number);
+  return by_name;
+}
+
+std::vector<std::string> region_names(const Domain& domain) {
+  std::vector<std::string> names;
+  for (const auto& entry : regions_by_name(domain)) names.push_back(entry.first);
+  return names;
+}
 
 std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
   if (!reading.document.root.contains("geometry") || !reading.issues.clean(kGeometry)) return std::nullopt;

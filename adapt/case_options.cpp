@@ -7,6 +7,7 @@
 
 #include "adapt/case_reading.h"
 #include "adapt/decimal.h"
+#include "adapt/idle_options.h"
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"
 
@@ -189,26 +190,12 @@ ParticleOptions read_particles(const Json& section) {
           .max_picks = section["max_picks"].get<double>()};
 }
 
-/// What the fast schedule does not read must not be set for it.
-void check_schedule(CaseReading& reading, const GenerateOptions& mesher) {
-  const ParticleOptions usual;
-  const ParticleOptions& set = mesher.particles;
-  const auto require = [&](bool holds, const char* key) {
-    const bool is_idle = mesher.schedule == Schedule::Fast && !holds;
-    if (is_idle) reading.issues.add(std::string("/mesher/particles/") + key, "is for the schedule \"thesis\" only");
-  };
-  require(set.alive_speed == usual.alive_speed, "alive_speed");
-  require(set.relocation == usual.relocation, "relocation");
-  require(set.picking == usual.picking, "picking");
-  require(set.max_picks == usual.max_picks, "max_picks");
-}
-
 void read_mesher(CaseReading& reading, const Json& section, Case& result) {
   GenerateOptions& mesher = result.mesher;
   mesher.schedule = named(section, "schedule", schedule_names);
   mesher.particles = read_particles(section["particles"]);
-  check_schedule(reading, mesher);
   mesher.preset = named(section, "preset", preset_names);
+  for (const IdleOption& idle : idle_options(mesher)) reading.issues.add("/mesher" + idle.pointer, idle.problem);
   mesher.chord_error = section["chord_error"].get<double>();
   mesher.seed = static_cast<std::uint64_t>(section["seed"].get<double>());
   result.lower_error = section["lower_error"].get<bool>();
@@ -234,23 +221,55 @@ void read_initial(CaseReading& reading, const Json& section, Case& result) {
                        "is for the diffusion of a problem, and an interpolated function has none");
 }
 
-/// Limits on the members of "functionals" or "fluxes", which the prefix names, with a dot.
-void read_group(const std::string& prefix, const Json& section, Case& result) {
+/// Limits on the members of "functionals" or "fluxes", which group is; known: the names that there are.
+void read_group(CaseReading& reading, const std::string& group, const Json& section,
+                const std::vector<std::string>& known, Case& result) {
   for (const auto& [name, value] : section.items()) {
     if (name.starts_with("x-")) continue;
+    if (std::ranges::find(known, name) == known.end()) {
+      const std::string hint = suggestion(name, known);
+      reading.issues.add("/expect/" + group + pointer_step(name), "'" + name.substr(0, 60) + "' is none of the " +
+                                                                      group + (hint.empty() ? "." : hint) +
+                                                                      " There are: " + quoted_list(known));
+    }
     result.expect.push_back(
-        {prefix + name, optional_number(value, "min"), optional_number(value, "max"), std::nullopt});
+        {{group, name}, optional_number(value, "min"), optional_number(value, "max"), std::nullopt});
   }
+}
+
+// The names of the labels with a condition, through which fluxes are told.
+std::vector<std::string> flux_names(const Case& read) {
+  std::vector<std::string> names;
+  for (const auto& entry : read.problem.boundary) {
+    std::string name = label_name(read.domain.label_names, entry.first);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::vector<std::string> split_at_dots(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
 }
 
 void read_expectations(CaseReading& reading, const Json& section, Case& result) {
   for (const auto& [name, value] : section.items()) {
     if (name.starts_with("x-")) continue;
-    if (name == "functionals" || name == "fluxes") {
-      read_group(name + ".", value, result);
+    if (name == "functionals") {
+      read_group(reading, name, value, names_of(result.functionals), result);
       continue;
     }
-    Expectation expectation{name, std::nullopt, std::nullopt, std::nullopt};
+    if (name == "fluxes") {
+      read_group(reading, name, value, flux_names(result), result);
+      continue;
+    }
+    Expectation expectation{split_at_dots(name), std::nullopt, std::nullopt, std::nullopt};
     const bool is_flag = name == "targets_met";
     if (value.is_boolean() != is_flag) {
       reading.issues.add("/expect/" + name, is_flag ? "must be true or false" : "must be { \"min\": a, \"max\": b }");
@@ -275,7 +294,9 @@ void read_option_sections(CaseReading& reading, Case& result) {
   if (clean("mesher")) read_mesher(reading, root["mesher"], result);
   if (clean("initial")) read_initial(reading, root["initial"], result);
   if (clean("output")) result.output.formats = root["output"]["formats"].get<std::vector<std::string>>();
-  if (clean("expect")) read_expectations(reading, root["expect"], result);
+  const auto is_read = [&](const char* name) { return root.contains(name) && clean(name); };
+  const bool names_are_known = is_read("geometry") && is_read("problem") && clean("functionals");
+  if (clean("expect") && names_are_known) read_expectations(reading, root["expect"], result);
 }
 
 }  // namespace parmesan

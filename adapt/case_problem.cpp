@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <map>
 #include <memory>
 
 #include "adapt/case_boundary.h"
@@ -37,10 +39,8 @@ class EquationReader {
   std::vector<PointSource> point_sources() {
     std::vector<PointSource> sources;
     if (!readable("point_sources")) return sources;
-    for (const Json& source : problem_["point_sources"]) {
-      const Json& at = source["at"];
-      sources.push_back({{at[0].get<double>(), at[1].get<double>()}, source["strength"].get<double>()});
-    }
+    for (const Json& source : problem_["point_sources"])
+      sources.push_back({read_point(source["at"]), source["strength"].get<double>()});
     return sources;
   }
 
@@ -81,15 +81,6 @@ class EquationReader {
     return TensorExpressions{first->x, first->y, second->y};
   }
 
-  std::map<std::string, int> regions() const {
-    std::map<std::string, int> numbers;
-    for (const auto& [number, name] : geometry_->domain.region_names) numbers[name] = number;
-    for (const RegionSeed& seed : geometry_->domain.regions) {
-      numbers.emplace(label_name(geometry_->domain.region_names, seed.region), seed.region);
-    }
-    return numbers;
-  }
-
   /// A value for everywhere, or an object region -> value.
   template <class T, class Read>
   std::optional<Regional<T>> regional(const std::string& key, const Read& read) {
@@ -100,32 +91,35 @@ class EquationReader {
       result.other = read(value, result.pointer);
       return result.other ? std::optional<Regional<T>>(result) : std::nullopt;
     }
-    const std::map<std::string, int> numbers = geometry_ != nullptr ? regions() : std::map<std::string, int>{};
+    std::map<std::string, std::vector<int>> numbers;
+    if (geometry_ != nullptr) numbers = regions_by_name(geometry_->domain);
     for (const auto& [name, member] : value.items()) {
       if (name.starts_with("x-")) continue;
       const std::optional<T> parsed = read(member, result.pointer + pointer_step(name));
-      const auto number = numbers.find(name);
-      if (parsed && name == "*") result.other = parsed;
-      if (parsed && number != numbers.end()) result.by_region.emplace_back(number->second, *parsed);
+      if (!parsed) continue;
+      if (name == "*") result.other = parsed;
+      const auto found = numbers.find(name);
+      if (found == numbers.end()) continue;
+      for (const int number : found->second) result.by_region.emplace(number, *parsed);
     }
-    if (geometry_ != nullptr) check_regions(value, result.pointer, numbers);
+    if (geometry_ != nullptr) check_regions(value, result.pointer);
     return result;
   }
 
-  void check_regions(const Json& value, const std::string& pointer, const std::map<std::string, int>& numbers) {
-    std::vector<std::string> names;
-    names.reserve(numbers.size());
-    for (const auto& entry : numbers) names.push_back(entry.first);
+  void check_regions(const Json& value, const std::string& pointer) {
+    std::vector<std::string> names = region_names(geometry_->domain);
     for (const auto& entry : value.items()) {
       const std::string& name = entry.key();
-      if (name == "*" || name.starts_with("x-") || numbers.contains(name)) continue;
+      if (name == "*" || name.starts_with("x-") || std::ranges::binary_search(names, name)) continue;
       const std::string hint = suggestion(name, names);
       reading_.issues.add(pointer + pointer_step(name),
                           "the geometry has no region '" + name.substr(0, 60) + "'" + (hint.empty() ? "." : hint) +
                               " Its regions are: " + quoted_list(names) + ", and \"*\" stands for all others");
     }
+    if (value.contains("*")) return;
+    if (names.empty()) return reading_.issues.add(pointer, "no value; the geometry has no regions: give one for \"*\"");
     std::erase_if(names, [&value](const std::string& name) { return value.contains(name); });
-    if (value.contains("*") || names.empty()) return;
+    if (names.empty()) return;
     reading_.issues.add(pointer,
                         "no value for the regions " + quoted_list(names) + "; give one for each, or for \"*\"");
   }

@@ -24,6 +24,11 @@ struct CaseReading {
                                        const std::vector<std::string>& extra_variables = {});
 };
 
+/// A list of two numbers, as the schema has it.
+inline Point read_point(const nlohmann::ordered_json& value) {
+  return {value[0].get<double>(), value[1].get<double>()};
+}
+
 /// A domain with what boundary conditions need to know of it.
 struct CaseGeometry {
   Domain domain;
@@ -33,6 +38,12 @@ struct CaseGeometry {
   std::vector<int> required_regions;  // whose triangles are to stay
   std::optional<Mesh> kept;           // a file's mesh that has required triangles
 };
+
+/// The numbers of the regions that have each name, ascending; several may share one.
+std::map<std::string, std::vector<int>> regions_by_name(const Domain& domain);
+
+/// Those names, in the order of bytes.
+std::vector<std::string> region_names(const Domain& domain);
 
 /// Reads /geometry. Nothing, and issues, when it cannot be used.
 /// Errors: FileError, GeometryError from a geometry file.

@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Point read_point(const Json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
-
 Ring read_ring(const Json& value) {
   Ring ring;
   for (const Json& point : value) ring.push_back(read_point(point));

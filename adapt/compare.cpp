@@ -68,6 +68,7 @@ double spent(const std::vector<IterationRow>& rows) {
 class Comparison {
  public:
   Comparison(const Case& input, const CompareOptions& options) : case_(input), options_(options) {
+    case_.mesher.max_vertices = options.max_vertices;
     result_.case_name = input.name;
   }
 
@@ -78,27 +79,24 @@ class Comparison {
     for (const MeshFamily family : mesh_families) fit(family);
     find_equivalents();
     result_.interrupted = interrupted();
-    result_.exit_code = result_.interrupted ? was_interrupted : 0;
     result_.table = compare_table(result_);
     return std::move(result_);
   }
 
  private:
-  static constexpr int was_interrupted = 130;
-
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
 
   void add(const CompareRow& row) {
     std::string line = std::string(to_string(row.family)) + padded(std::to_string(row.vertices), 9) + " vertices  L2 " +
                        short_number(row.leading_l2(), 4) + "  " + short_number(row.cpu_seconds, 3) + " s";
     result_.rows.push_back(row);
-    if (options_.progress && !options_.quiet) options_.progress(line);
+    if (options_.progress) options_.progress(line);
   }
 
   // From size to size, each started from the last mesh of the one before.
   void adapted(MeshFamily family) {
     LoopOptions loop;
-    loop.threads = options_.threads;
+    loop.max_vertices = options_.max_vertices;
     loop.interrupted = options_.interrupted;
     loop.isotropic = family == MeshFamily::Isotropic;
     loop.measure = error_measure(case_.targets);
@@ -128,7 +126,8 @@ class Comparison {
       add_uniform(next, last);
     }
     constexpr double margin = 1.1;
-    const double largest = margin * static_cast<double>(options_.max_uniform_vertices);
+    const double largest = std::min(margin * static_cast<double>(options_.max_uniform_vertices),
+                                    static_cast<double>(options_.max_vertices));
     const auto is_worse = [this, best] {
       return !result_.rows.back().at_round_off && result_.rows.back().leading_l2() > best;
     };
@@ -179,19 +178,22 @@ class Comparison {
     }
   }
 
-  const Case& case_;
+  Case case_;
   const CompareOptions& options_;
   std::optional<InterpolationLimit> limit_;
   CompareResult result_;
 };
 
-void check_sizes(const std::vector<std::int64_t>& sizes) {
+void check_sizes(const std::vector<std::int64_t>& sizes, std::int64_t max_vertices) {
   constexpr std::int64_t smallest = 10;
   if (sizes.empty()) throw InputError("a comparison needs at least one size");
   for (std::size_t k = 0; k < sizes.size(); ++k) {
     if (sizes[k] < smallest || (k > 0 && sizes[k] <= sizes[k - 1]))
       throw InputError("sizes must be ascending and at least 10 vertices, not " + std::to_string(sizes[k]));
   }
+  Targets largest;
+  largest.vertices = sizes.back();
+  require_within_limit(largest, max_vertices);
 }
 
 }  // namespace
@@ -207,11 +209,12 @@ double CompareRow::leading_h1() const {
 }
 
 CompareResult compare_case(const Case& input, const CompareOptions& options) {
-  check_sizes(options.sizes);
+  check_sizes(options.sizes, options.max_vertices);
   const std::string folder = options.out_dir.empty() ? input.name + ".compare" : options.out_dir;
   const EarlierFiles earlier = options.overwrite ? EarlierFiles::Replace : EarlierFiles::Refuse;
   const FolderLock lock = prepare_folder(folder, earlier);
   CompareResult result = Comparison(input, options).run();
+  if (result.rows.empty()) return result;
   result.out_dir = folder;
   remove_earlier_files(folder, earlier);
   write_file(folder + "/case.json", input.resolved.dump(2) + "\n");

@@ -26,9 +26,8 @@ struct CompareOptions {
   bool overwrite = false;
   std::vector<std::int64_t> sizes{1000, 4000, 16000, 64000};  // vertices, ascending
   std::int64_t max_uniform_vertices = 1'000'000;              // where the search for equal error ends
-  int threads = 0;                                            // 0: all cores
-  bool quiet = false;
-  std::function<void(const std::string&)> progress;  // gets one line per mesh
+  std::int64_t max_vertices = 10'000'000;                     // safety limit, LimitError for sizes beyond
+  std::function<void(const std::string&)> progress;           // gets one line per mesh
   const std::atomic<bool>* interrupted = nullptr;
 };
 
@@ -70,12 +69,13 @@ struct CompareResult {
   std::vector<UniformEquivalent> equivalents;
   std::vector<OrderFit> l2_orders, h1_orders;  // one per MeshFamily, in its order
   bool interrupted = false;
-  int exit_code = 0;    // 0 or 130
   std::string table;    // for the terminal
-  std::string out_dir;  // where compare.csv and summary.json are
+  std::string out_dir;  // where compare.csv and summary.json are; empty where it was interrupted before the first mesh
 };
 
 /// The same case on anisotropic-adapted, isotropic-adapted and uniform meshes over a ladder of sizes.
+///
+/// What an earlier comparison left is replaced at the end, where there is a row: also by an interrupted one, then.
 ///
 /// Errors: as run_case; InputError for sizes that are not ascending or below 10.
 CompareResult compare_case(const Case& input, const CompareOptions& options);

@@ -152,6 +152,7 @@ std::string compare_table(const CompareResult& result) {
   if (!result.rows.empty() && result.rows[0].goal_value) text += goals(result);
   if (result.l2_orders.size() == mesh_families.size()) text += orders(result);
   if (!result.equivalents.empty()) text += equivalents(result);
+  if (result.interrupted) text += "interrupted: the meshes that are missing were not made\n";
   return text;
 }
 

@@ -1,15 +1,11 @@
 #include "adapt/decimal.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
+
+#include "mesher/geometry/message_text.h"
 
 namespace parmesan {
 
-std::string decimal(double value) {
-  if (std::isnan(value)) return "nan";
-  std::array<char, 32> digits{};
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
+std::string decimal(double value) { return std::isnan(value) ? "nan" : text(value); }
 
 }  // namespace parmesan

@@ -131,7 +131,7 @@ JsonPlace locate(std::string_view text, std::string_view pointer) {
   return place;
 }
 
-std::vector<DuplicateKey> find_duplicate_keys(std::string_view text) {
+std::vector<DuplicateKey> find_duplicate_keys(std::string_view text, std::size_t most) {
   std::vector<DuplicateKey> duplicates;
   std::vector<OpenValue> open;
   JsonTokens tokens(text);
@@ -145,7 +145,9 @@ std::vector<DuplicateKey> find_duplicate_keys(std::string_view text) {
       ++open.back().number;
     } else if (token.kind == 's' && !open.empty() && open.back().object && before.kind != ':') {
       open.back().key = tokens.content(token);
-      if (!open.back().keys.insert(open.back().key).second) duplicates.push_back({pointer_to(open), token.begin});
+      if (open.back().keys.insert(open.back().key).second) continue;
+      duplicates.push_back({pointer_to(open), token.begin});
+      if (duplicates.size() == most) break;
     }
   }
   return duplicates;

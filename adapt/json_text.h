@@ -25,8 +25,8 @@ struct DuplicateKey {
   std::size_t offset = 0;  // of the second one
 };
 
-/// Every repeated member name of a valid JSON text. Cost: O(text log text).
-std::vector<DuplicateKey> find_duplicate_keys(std::string_view text);
+/// The first repeated member names of a valid JSON text, at most so many. Cost: O(text log text).
+std::vector<DuplicateKey> find_duplicate_keys(std::string_view text, std::size_t most);
 
 /// The bracket that opens the first value nested deeper than this. The text may be anything, so that it can be asked
 /// before parsing; values that follow what is no JSON are not looked at for sure. Cost: O(text), no memory.

@@ -118,6 +118,15 @@ std::optional<std::string> of_correction(const IterationRow& last) {
          short_number(last.solve_report->correction_change, 2);
 }
 
+// Of captured discontinuities whose fixed-point steps did not end.
+std::optional<std::string> of_capturing(const IterationRow& last) {
+  if (!last.solve_report || last.solve_report->capturing_converges()) return std::nullopt;
+  return "discontinuity capturing does not converge on the last mesh: its last step of " +
+         std::to_string(last.solve_report->capturing_steps) + " changed the solution by " +
+         short_number(last.solve_report->capturing_change, 2) + " of its range, not by less than " +
+         short_number(capturing_tolerance, 2);
+}
+
 // Of values that were all given.
 std::optional<std::string> of_no_unknowns(const IterationRow& last) {
   if (!last.solve_report || last.solve_report->unknowns > 0) return std::nullopt;
@@ -151,6 +160,7 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   add(of_unresolved(last));
   add(of_contradiction(last));
   add(of_correction(last));
+  add(of_capturing(last));
   return warnings;
 }
 

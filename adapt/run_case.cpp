@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <thread>
+#include <system_error>
 #include <utility>
 
 #include "adapt/adapt_loop.h"
@@ -19,9 +19,6 @@ namespace parmesan {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int target_missed = 9;
-constexpr int was_interrupted = 130;
 
 std::string progress_line(const Case& input, const IterationRow& row) {
   const ErrorNorms error = targeted_error(input, row);
@@ -40,14 +37,27 @@ std::string progress_line(const Case& input, const IterationRow& row) {
   return line;
 }
 
-// The value of a dotted name in the last iteration, else in the summary itself; null when absent.
-Json value_of(const std::string& name, const Json& summary) {
-  std::string pointer = "/" + name;
-  std::ranges::replace(pointer, '.', '/');
-  const Json::json_pointer where(pointer);
+// Null when absent.
+Json member(const Json& parent, const std::vector<std::string>& path) {
+  const Json* value = &parent;
+  for (const std::string& name : path) {
+    if (!value->is_object() || !value->contains(name)) return nullptr;
+    value = &(*value)[name];
+  }
+  return *value;
+}
+
+// The value in the last iteration, else in the summary itself; null when absent.
+Json value_of(const std::vector<std::string>& path, const Json& summary) {
   const Json& rows = summary["iterations"];
-  if (!rows.empty() && rows.back().contains(where)) return rows.back()[where];
-  return summary.contains(where) ? summary[where] : Json(nullptr);
+  const Json of_row = rows.empty() ? Json(nullptr) : member(rows.back(), path);
+  return of_row.is_null() ? member(summary, path) : of_row;
+}
+
+std::string dotted(const std::vector<std::string>& path) {
+  std::string text;
+  for (const std::string& name : path) text += (text.empty() ? "" : ".") + name;
+  return text;
 }
 
 std::string limits_text(const Expectation& expected) {
@@ -59,22 +69,19 @@ std::string limits_text(const Expectation& expected) {
 }
 
 Verdict verdict(const Expectation& expected, const Json& summary) {
-  const Json value = value_of(expected.name, summary);
+  const std::string name = dotted(expected.path);
+  const Json value = value_of(expected.path, summary);
   bool passed = true;
   if (expected.min || expected.max) {
     passed = value.is_number() && (!expected.min || value.get<double>() >= *expected.min) &&
              (!expected.max || value.get<double>() <= *expected.max);
   }
   if (expected.equals) passed = passed && value.is_boolean() && value.get<bool>() == *expected.equals;
-  return {expected.name, passed, expected.name + " = " + value.dump() + limits_text(expected)};
-}
-
-int number_of_threads(int asked) {
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return {name, passed, name + " = " + value.dump() + limits_text(expected)};
 }
 
 void say(const RunOptions& options, const std::string& line) {
-  if (options.progress && !options.quiet) options.progress(line);
+  if (options.progress) options.progress(line);
 }
 
 // Nothing where the run was ended before its first checkpoint, or has not begun.
@@ -85,7 +92,8 @@ std::optional<LoopState> state_to_resume(const std::string& path, std::uint64_t 
     if (!found.problems.empty())
       throw FileError(path, 0,
                       "no checkpoint can be used: " + found.problems.back() + "; --overwrite replaces the run");
-    if (std::filesystem::exists(path + "/summary.json"))
+    std::error_code unreadable;
+    if (std::filesystem::exists(path + "/summary.json", unreadable))
       throw FileError(path, 0, "this run has no checkpoint to go on from; --overwrite replaces it");
     say(options, "there is no checkpoint to go on from: starting anew");
     return std::nullopt;
@@ -104,11 +112,6 @@ EarlierFiles earlier_files(const RunOptions& options, bool resumed) {
   return options.overwrite || options.resume ? EarlierFiles::Replace : EarlierFiles::Refuse;
 }
 
-int exit_code(const Summary& summary) {
-  if (summary.stop_reason == StopReason::Interrupted) return was_interrupted;
-  return summary.error_targets_declared && !summary.targets_met ? target_missed : 0;
-}
-
 }  // namespace
 
 std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const Summary& summary) {
@@ -125,7 +128,7 @@ RunResult run_case(const Case& input, const RunOptions& options) {
   const std::optional<LoopState> resumed = options.resume ? state_to_resume(path, case_hash, options) : std::nullopt;
   RunFolder folder(path, input, earlier_files(options, resumed.has_value()));
   LoopOptions loop;
-  loop.threads = number_of_threads(options.threads);
+  loop.threads = options.threads;
   loop.max_vertices = options.max_vertices;
   loop.interrupted = options.interrupted;
   loop.resume = resumed ? &*resumed : nullptr;
@@ -139,7 +142,6 @@ RunResult run_case(const Case& input, const RunOptions& options) {
   folder.finish(run.summary, run.last);
   write_report(path + "/report.html", {path});
   RunResult result;
-  result.exit_code = exit_code(run.summary);
   result.out_dir = folder.path();
   result.verdicts = verify(input.expect, run.summary);
   result.summary = std::move(run.summary);

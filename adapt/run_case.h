@@ -17,8 +17,7 @@ struct RunOptions {
   bool overwrite = false;
   bool resume = false;                               // go on from the last checkpoint in the folder
   bool force = false;                                // resume though the case is another one
-  int threads = 0;                                   // 0: all cores
-  bool quiet = false;                                // no progress lines
+  int threads = 1;                                   // only reported
   std::function<void(const std::string&)> progress;  // gets one line per iteration, without newline
   const std::atomic<bool>* interrupted = nullptr;    // looked at between stages
   std::int64_t max_vertices = 10'000'000;            // safety limit, LimitError beyond
@@ -27,7 +26,6 @@ struct RunOptions {
 /// What came of a run.
 struct RunResult {
   Summary summary;
-  int exit_code = 0;              // 0, 9 (a declared error target was missed) or 130 (interrupted)
   std::string out_dir;            // where the files are
   std::vector<Verdict> verdicts;  // one per "expect" of the case
 };
@@ -44,9 +42,8 @@ RunResult run_case(const Case& input, const RunOptions& options);
 
 /// Compares the last row of a run with the case's pass limits.
 ///
-/// A name is a dotted path into the last iteration of summary.json ("efficiency",
-/// "solution_error.l2", "vertices") or into summary.json itself ("targets_met").
-/// A value that is absent or null fails.
+/// A path leads into the last iteration of summary.json, or into summary.json itself. A value that is absent or null
+/// fails.
 std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const Summary& summary);
 
 }  // namespace parmesan

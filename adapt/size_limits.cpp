@@ -35,8 +35,12 @@ std::vector<SizeLimits> size_limits(const Mesh& mesh, const MetricOptions& optio
   for (const Point& p : mesh.points) {
     const SizeLimits at{size_at(options.h_min_at, options.h_min, "h_min", p),
                         size_at(options.h_max_at, h_max, "h_max", p), aspect};
-    if (!(at.h_min <= at.h_max))
-      throw InputError("h_min = " + decimal(at.h_min) + " exceeds h_max = " + decimal(at.h_max) + place(p));
+    if (!(at.h_min <= at.h_max)) {
+      const bool is_default = options.h_max <= 0.0 && !options.h_max_at;
+      throw InputError("/metric/h_min: " + decimal(at.h_min) + " exceeds h_max, " + decimal(at.h_max) +
+                       (is_default ? ", a quarter of the diagonal of the domain's box as none is given," : "") +
+                       place(p));
+    }
     limits.push_back(at);
   }
   return limits;

@@ -8,6 +8,7 @@
 #include "adapt/iterate.h"
 #include "adapt/measure.h"
 #include "adapt/number_text.h"
+#include "adapt/size_limits.h"
 #include "adapt/targets.h"
 #include "mesher/errors.h"
 #include "mesher/metric/complexity.h"
@@ -32,7 +33,10 @@ IterationRow try_out(const Case& input, std::int64_t max_vertices) {
   std::int64_t vertices = std::min(few, input.initial_vertices);
   for (const std::optional<std::int64_t>& bound : {input.targets.vertices, input.targets.max_vertices})
     vertices = std::min(vertices, bound.value_or(vertices));
-  Iterate iterate = uniform_iterate(input, static_cast<double>(vertices));
+  Case limited = input;
+  limited.mesher.max_vertices = max_vertices;
+  Iterate iterate = uniform_iterate(limited, static_cast<double>(vertices));
+  size_limits(iterate.mesh, input.metric);  // throws where they contradict each other
   refuse_small_sizes(input, area(iterate.mesh), max_vertices);
   compute_values(input, iterate, nullptr);
   return measure(input, iterate, 0, std::nullopt);

@@ -10,8 +10,9 @@ namespace parmesan {
 /// Does what a run does first, on a coarse mesh: meshes the domain, solves and measures. So a case that it stands will
 /// not be refused at once by run_case.
 ///
-/// max_vertices: the limit of a run, against which the number aimed at and the mesh that metric.h_max alone asks for
-/// are held. Errors: as run_case. Cost: that of 400 vertices at most, more where the geometry needs them.
+/// max_vertices: the limit of a run, against which the number aimed at, the first mesh and the mesh that metric.h_max
+/// alone asks for are held. Errors: as run_case. Cost: that of 400 vertices at most, more where the geometry needs
+/// them.
 IterationRow try_out(const Case& input, std::int64_t max_vertices);
 
 /// About what a run that ends with so many vertices takes of memory, from runs with 20 000 to 100 000. Units: MB.

@@ -80,7 +80,7 @@ std::vector<double> solve_dual(const Mesh& mesh, const Problem& problem, const G
   const NullSpace null_space = find_null_space(mesh, system, fixed);
   make_blind_to_means(null_space, system);
   if (!system.symmetric) system.matrix = RowMatrix(system.matrix.transpose());
-  return FreeEquations(system, fixed.fixed, null_space).solve(system.load, fixed.values).values;
+  return FreeEquations(system, fixed.fixed, null_space, problem.solver).solve(system.load, fixed.values).values;
 }
 
 }  // namespace parmesan

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fem/p1.h"
+#include "fem/point_sources.h"
 #include "fem/singular_vertices.h"
 #include "fem/solve.h"
 #include "fem/vector_of.h"
@@ -35,9 +36,11 @@ std::vector<double> at_coarse(const RefinedPatch& patch, std::span<const double>
 /// The problem with that part of the point sources that the triangles of the patch have: they are shared by all that
 /// hold the place.
 Problem with_sources_of_patch(const Mesh& mesh, const RefinedPatch& patch, Problem problem) {
+  const std::vector<std::vector<TrianglePlace>> places = places_of_sources(mesh, problem);
   std::vector<PointSource> sources;
-  for (PointSource source : std::exchange(problem.point_sources, {})) {
-    const std::vector<TrianglePlace> holders = triangles_at(mesh, source.place);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    PointSource source = problem.point_sources[k];
+    const std::vector<TrianglePlace>& holders = places[k];
     const auto inside = std::ranges::count_if(
         holders, [&](const TrianglePlace& p) { return std::ranges::binary_search(patch.triangles, p.triangle); });
     source.strength *= static_cast<double>(inside) / static_cast<double>(holders.size());

@@ -12,7 +12,7 @@
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/parallel.h"
-#include "fem/point_location.h"
+#include "fem/point_sources.h"
 #include "fem/recovery.h"
 #include "fem/side_integrals.h"
 #include "fem/smooth_parts.h"
@@ -175,9 +175,8 @@ double squared_error(const Problem& problem, const Piece& p, const std::array<Ve
 
 std::vector<char> holds_point_source(const Mesh& mesh, const Problem& problem) {
   std::vector<char> holds(mesh.triangles.size(), 0);
-  for (const PointSource& source : problem.point_sources) {
-    for (const TrianglePlace& place : triangles_at(mesh, source.place)) holds[at(place.triangle)] = 1;
-  }
+  for (const std::vector<TrianglePlace>& places : places_of_sources(mesh, problem))
+    for (const TrianglePlace& place : places) holds[at(place.triangle)] = 1;
   return holds;
 }
 

@@ -100,7 +100,6 @@ double relative_change(const std::vector<double>& before, const Solution& after)
 /// Fixed-point iteration for the diffusion that depends on the solution, damped because it may oscillate.
 Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, Solution solution) {
   constexpr int max_steps = 20;
-  constexpr double tolerance = 1e-3;
   constexpr double damping = 0.5;
   std::vector<double> crosswind = crosswind_diffusion(mesh, problem, solution.values);
   for (int step = 1; step <= max_steps; ++step) {
@@ -110,7 +109,7 @@ Solution capture_discontinuities(const Mesh& mesh, const Problem& problem, Solut
     next.report.capturing_steps = step;
     next.report.capturing_change = relative_change(solution.values, next);
     solution = std::move(next);
-    if (solution.report.capturing_change < tolerance) break;
+    if (solution.report.capturing_converges()) break;
     const std::vector<double> wanted = crosswind_diffusion(mesh, problem, solution.values);
     for (std::size_t t = 0; t < wanted.size(); ++t) crosswind[t] += damping * (wanted[t] - crosswind[t]);
   }

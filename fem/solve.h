@@ -19,6 +19,9 @@ class SolveError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The change of the solution, over its range, at which discontinuity capturing ends.
+inline constexpr double capturing_tolerance = 1e-3;
+
 struct SolveReport {
   std::string solver;  // "LDLT", "LU", "CG", "BiCGSTAB", "GMRES"
   int unknowns = 0;
@@ -35,6 +38,9 @@ struct SolveReport {
   double minimum = 0.0;                 // of the nodal values
   double maximum = 0.0;
   SolutionBounds bounds;  // of the exact solution, where the maximum principle gives them
+
+  /// Whether the steps of discontinuity capturing came to an end.
+  bool capturing_converges() const { return capturing_change < capturing_tolerance; }
 
   /// Whether the steps of defect correction converge; else the values are Galerkin's.
   bool correction_converges() const { return correction_change <= largest_change_trusted; }
@@ -68,7 +74,7 @@ struct Solution {
 /// discontinuities are captured: it would undo that.
 ///
 /// Discontinuity capturing makes the problem nonlinear: it is solved again, at most 20 times, until the solution
-/// changes by less than 1e-3 of its range; the report has what was reached.
+/// changes by less than capturing_tolerance; the report has what was reached.
 ///
 /// Errors: SolveError (backward error above 1e-10 after the fallbacks, or singular to working precision); those of
 /// DiscreteProblem.

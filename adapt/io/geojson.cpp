@@ -9,6 +9,7 @@
 #include "adapt/io/geojson_features.h"
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/even_odd.h"
 #include "mesher/index.h"
 #include "mesher/io/text.h"
 #include "mesher/mesh_sides.h"
@@ -44,19 +45,12 @@ Domain domain_of_feature(const GeoFeature& feature) {
 
 /// Whether an odd number of the feature's rings lie around a point that is on none of them.
 bool encloses(const GeoFeature& feature, const Point& p) {
-  bool is_inside = false;
+  bool encloses = false;
   for (const GeoPolygon& polygon : feature.polygons) {
-    for (const GeoRing& ring : polygon) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point& a = ring[i];
-        const Point& b = ring[(i + 1) % ring.size()];
-        if ((a.y > p.y) == (b.y > p.y)) continue;
-        const double area = doubled_area(a, b, p);
-        if ((area > 0.0) == (b.y > a.y)) is_inside = !is_inside;
-      }
-    }
+    for (const GeoRing& ring : polygon)
+      if (is_inside(p, ring)) encloses = !encloses;
   }
-  return is_inside;
+  return encloses;
 }
 
 /// Twice the area of all rings, holes not taken off.

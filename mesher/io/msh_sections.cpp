@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "mesher/io/utf8.h"
+
 namespace parmesan {
 namespace {
 
@@ -58,6 +60,7 @@ void read_msh_names(MshInput& in, MshContent& content) {
     const int number = in.text_integer("the number of a group");
     const std::string_view name = in.word("the name of a group");
     if (name.size() < 2 || name.front() != '"') in.fail("the name of a group must stand in double quotes");
+    if (!is_utf8(name)) in.fail("the name of a group has bytes that are not UTF-8");
     content.physical_names[{dimension, number}] = name.substr(1, name.size() - 2);
   }
 }

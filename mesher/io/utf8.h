@@ -11,4 +11,7 @@ namespace parmesan {
 /// (Unicode 15, table 3-7).
 std::size_t utf8_length(std::string_view text);
 
+/// Whether a text is made of UTF-8 characters.
+bool is_utf8(std::string_view text);
+
 }  // namespace parmesan

@@ -50,6 +50,31 @@ TEST_CASE("the loop comes close to the size it is aimed at", "[adapt][loop]") {
   CHECK(static_cast<double>(run.summary.iterations.back().vertices) == Approx(800).epsilon(0.06));
 }
 
+TEST_CASE("the safety limit of the loop is the one it is given, not the mesher's own", "[adapt][loop][errors]") {
+  Case input = interpolation_case("sin(6*x)*y^2", R"({"vertices": 200})");
+  input.mesher.max_vertices = 50;
+  CHECK(adapt(input, {.max_vertices = 1000}).summary.targets_met);
+  input.mesher.max_vertices = 1000;
+  CHECK_THROWS_AS(adapt(input, {.max_vertices = 50}), LimitError);
+}
+
+TEST_CASE("a loop that returns to a mesh counts its time once", "[adapt][loop]") {
+  int num_returns = 0;
+  for (int most = 9; most <= 12; ++most) {
+    const Case input = interpolation_case("tanh(20*(x - y^2))",
+                                          R"({"linf_error": 0.02, "max_iterations": )" + std::to_string(most) + "}");
+    const std::vector<IterationRow> rows = adapt(input, {}).summary.iterations;
+    const auto is_last_mesh = [&](const IterationRow& row) {
+      return row.interpolation_error->linf == rows.back().interpolation_error->linf;
+    };
+    if (std::none_of(rows.begin(), rows.end() - 1, is_last_mesh)) continue;
+    ++num_returns;
+    CHECK(rows.back().seconds.mesh == 0.0);
+    CHECK(rows.back().seconds.cpu == 0.0);
+  }
+  CHECK(num_returns > 0);
+}
+
 TEST_CASE("a target beyond the vertex budget is missed and the budget kept", "[adapt][loop]") {
   const LoopResult run = adapt(interpolation_case("sin(6*x)*y^2", R"({"l2_error": 1e-7, "max_vertices": 400})"), {});
   CHECK(run.summary.stop_reason == StopReason::VertexBudget);

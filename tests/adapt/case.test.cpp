@@ -109,7 +109,7 @@ TEST_CASE("parse_case reads every option", "[adapt][case]") {
   CHECK(c.initial_vertices == 77);
   CHECK(c.output.formats == std::vector<std::string>{"svg"});
   REQUIRE(c.expect.size() == 2);
-  CHECK(c.expect[0].name == "efficiency");
+  CHECK(c.expect[0].path == std::vector<std::string>{"efficiency"});
   CHECK(c.expect[0].max == 1.1);
   CHECK(c.expect[1].equals == true);
   CHECK(c.resolved["parameters"]["b"] == 5.0);
@@ -136,7 +136,7 @@ TEST_CASE("the thesis's schedule and what acts between particles are read", "[ad
   CHECK(plain.particles.potential == ParticleOptions{}.potential);
   CHECK(plain.particles.max_picks == ParticleOptions{}.max_picks);
   const GenerateOptions read = parse_case(case_text(kZeroBoundary, R"(, "mesher": {"schedule": "thesis", "particles": {
-      "potential": "shimada", "decay": 2, "neighbourhood": "radius", "radius": 1.8, "force": "gradient",
+      "potential": "shimada", "neighbourhood": "radius", "radius": 1.8, "force": "gradient",
       "distance": "linear-metric", "step": 0.1, "momentum": 0.5, "alive_speed": 0.02, "virtual_triangles": false,
       "creation": "circumcentre", "annihilation": "collapse", "relocation": "in-place", "picking": "hilbert",
       "max_picks": 50}})"),
@@ -144,7 +144,6 @@ TEST_CASE("the thesis's schedule and what acts between particles are read", "[ad
                                    .mesher;
   CHECK(read.schedule == Schedule::Thesis);
   CHECK(read.particles.potential == PotentialKind::Shimada);
-  CHECK(read.particles.decay == 2.0);
   CHECK(read.particles.neighbourhood == Neighbourhood::Radius);
   CHECK(read.particles.radius == 1.8);
   CHECK(read.particles.force == Force::Gradient);
@@ -168,6 +167,19 @@ TEST_CASE("the thesis's schedule and what acts between particles are read", "[ad
              Catch::Contains("/mesher/particles/picking") && Catch::Contains("schedule"));
 }
 
+TEST_CASE("options of the mesher that would not be read are refused", "[adapt][case][errors]") {
+  const auto issues = [](const std::string& mesher) {
+    return issue_text(case_text(kZeroBoundary, R"(, "mesher": )" + mesher));
+  };
+  CHECK(issues(R"({"particles": {"decay": 2}})").empty());
+  CHECK_THAT(issues(R"({"particles": {"potential": "shimada", "decay": 2}})"),
+             Catch::StartsWith("/mesher/particles/decay: is for the potential"));
+  CHECK(issues(R"({"particles": {"neighbourhood": "radius", "radius": 1.8}})").empty());
+  CHECK_THAT(issues(R"({"particles": {"radius": 1.8}})"), Catch::StartsWith("/mesher/particles/radius: is for"));
+  CHECK(issues(R"({"preset": "mid"})").empty());
+  CHECK_THAT(issues(R"({"schedule": "thesis", "preset": "mid"})"), Catch::StartsWith("/mesher/preset: is for"));
+}
+
 TEST_CASE("Overrides replace and add values by JSON pointer", "[adapt][case]") {
   const Case c = parse_case(case_text(kZeroBoundary, R"(, "targets": {"max_iterations": 4})"), "a.json",
                             {{"/targets/max_iterations", "7"},
@@ -184,6 +196,14 @@ TEST_CASE("Overrides replace and add values by JSON pointer", "[adapt][case]") {
   CHECK_THAT(issue_text(case_text(kZeroBoundary), {{"/geometry/rectangle/min/7", "1"}}), Catch::Contains("nothing"));
   CHECK_THAT(issue_text(case_text(kZeroBoundary), {{"/targets/l2_errr", "1"}}),
              Catch::Contains("did you mean 'l2_error'"));
+}
+
+TEST_CASE("What an override sets is UTF-8", "[adapt][case][errors]") {
+  const std::string text = case_text(kZeroBoundary);
+  CHECK_THAT(issue_text(text, {{"/title", "\xe4"}}),
+             Catch::Contains("/title: (from --set) has bytes that are not UTF-8"));
+  CHECK_THAT(issue_text(text, {{"/x-\xe4", "1"}}), Catch::Contains("has bytes that are not UTF-8"));
+  CHECK(parse_case(text, "a.json", {{"/title", "\xc3\xa4"}}).title == "\xc3\xa4");
 }
 
 TEST_CASE("case_schema is a JSON Schema that refers only to what it defines", "[adapt][case]") {

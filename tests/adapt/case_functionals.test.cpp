@@ -76,6 +76,28 @@ TEST_CASE("Limits on functionals and fluxes are verified", "[adapt][case][functi
   CHECK(verdicts[1].passed);
 }
 
+TEST_CASE("Limits are on functionals and fluxes of any name, but one that there is", "[adapt][case][functional]") {
+  const std::string name = GENERATE("right.hand", "inner/upper", "a~b", "~1");
+  const auto text = [&](const std::string& limited) {
+    std::string result =
+        series(R"(, "functionals": {")" + name + R"(": {"flux": ")" + name + R"("}}, "expect": {"functionals": {")" +
+               limited + R"(": {"max": -39}}, "fluxes": {")" + limited + R"(": {"max": -39}}})");
+    const std::string rectangle = R"("rectangle": {"min": [0, 0], "max": [2, 1]})";
+    result.insert(result.find(rectangle), R"("labels": {"right": ")" + name + R"("}, )");
+    return result.replace(result.find(R"("right": {"dirichlet")"), 7, "\"" + name + "\"");
+  };
+  const Case c = parse_case(text(name), "case.json");
+  Summary summary;
+  summary.iterations.push_back(first_row(c));
+  for (const Verdict& verdict : verify(c.expect, summary)) {
+    INFO(verdict.message);
+    CHECK(verdict.passed);
+  }
+  const std::string issues = issue_text(text("rigt"));
+  CHECK_THAT(issues, Catch::Contains("/expect/functionals/rigt: 'rigt' is none of the functionals"));
+  CHECK_THAT(issues, Catch::Contains("/expect/fluxes/rigt: 'rigt' is none of the fluxes"));
+}
+
 TEST_CASE("Point sources of a case are sources of its problem", "[adapt][case]") {
   const Case c =
       parse_case(case_text(R"("point_sources": [{"at": [0.5, 0.25], "strength": 2}], )" + kZeroBoundary), "case.json");
@@ -89,7 +111,7 @@ TEST_CASE("Functionals that cannot be are refused with what there is", "[adapt][
     return issue_text(series(R"(, "functionals": {"f": )" + functional + "}"));
   };
   CHECK(issue(R"({"integral": "stel"})") ==
-        "/functionals/f/integral: the geometry has no region 'stel'; did you mean 'steel'? There are: 'steel', 'air', "
+        "/functionals/f/integral: the geometry has no region 'stel'; did you mean 'steel'? There are: 'air', 'steel', "
         "and \"*\" stands for all\n");
   CHECK_THAT(issue(R"({"flux": "bottm"})"), Catch::Contains("no side 'bottm'; did you mean 'bottom'?"));
   CHECK_THAT(issue(R"({"flux": "left", "value": [0, 0]})"), Catch::Contains("found 'flux', 'value'"));

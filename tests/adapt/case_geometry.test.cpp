@@ -274,6 +274,43 @@ TEST_CASE("A case cannot name files elsewhere or that are not files", "[adapt][c
   CHECK(issue("inside/link.poly", "case.json").empty());
 }
 
+TEST_CASE("regions that share a name are meant together", "[adapt][case]") {
+  const TemporaryFolder folder;
+  const auto square = [](const std::string& name, int x) {
+    const std::string a = std::to_string(x), b = std::to_string(x + 1);
+    return R"({"type": "Feature", "properties": {"name": ")" + name +
+           R"("}, "geometry": {"type": "Polygon", "coordinates": [[[)" + a + ",0],[" + b + ",0],[" + b + ",1],[" + a +
+           ",1],[" + a + ",0]]]}}";
+  };
+  const auto collection = [](const std::string& features) {
+    return R"({"type": "FeatureCollection", "features": [)" + features + "]}";
+  };
+  folder.write("inside/three.geojson",
+               collection(square("steel", 0) + "," + square("air", 1) + "," + square("steel", 2)));
+  folder.write("inside/one.geojson", collection(square("lake", 0)));
+  const auto read = [&](const std::string& file, const std::string& rest, const std::string& diffusion) {
+    return parse_case(R"({"geometry": {"file": "inside/)" + file + R"("})" + rest + R"(, "problem": {"diffusion": )" +
+                          diffusion + R"(, "boundary": {"*": {"dirichlet": 0}}}})",
+                      folder.path("case.json"));
+  };
+  const std::string diffusion = GENERATE(R"({"steel": 40, "*": 1})", R"({"steel": 40, "air": 1})");
+  const Case three = read("three.geojson", "", diffusion);
+  REQUIRE(three.domain.regions.size() == 3);
+  for (const RegionSeed& seed : three.domain.regions) {
+    const bool is_steel = label_name(three.domain.region_names, seed.region) == "steel";
+    CHECK(three.problem.diffusion(seed.point, seed.region).xx == (is_steel ? 40.0 : 1.0));
+  }
+  const auto required = [&](const std::string& file, const std::string& name) {
+    const std::string text = R"({"geometry": {"file": "inside/)" + file + R"(", "required": [")" + name +
+                             R"("]}, "problem": {"interpolate": "x"}, "functionals": {"all": {"integral": ")" + name +
+                             R"("}}})";
+    return parse_case(text, folder.path("case.json")).required_regions.size();
+  };
+  CHECK(required("three.geojson", "steel") == 2);
+  CHECK(required("three.geojson", "air") == 1);
+  CHECK(required("one.geojson", "lake") == 1);  // the whole domain, which has no seed
+}
+
 TEST_CASE("holes lie apart and inside of the domain", "[adapt][case][errors]") {
   const std::string square = R"("rectangle": {"min": [-1, -1], "max": [1, 1]}, "holes": )";
   const std::string disc = R"({"disc": {"radius": 0.5}})";

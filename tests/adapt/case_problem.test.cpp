@@ -224,4 +224,24 @@ TEST_CASE("A source or Dirichlet data that contradict the exact solution are fou
              Catch::Contains("the condition on 'top' does not agree with 'exact'"));
 }
 
+TEST_CASE("Dirichlet data that know the normal are held against the exact solution with it", "[adapt][case][errors]") {
+  // On the unit circle nx = x.
+  const auto on_disc = [](const std::string& data) {
+    return issue_text(
+        R"({"geometry": {"disc": {"radius": 1}}, "problem": {"exact": "x", "boundary": {"*": {"dirichlet": ")" + data +
+        R"("}}}})");
+  };
+  CHECK(on_disc("nx").empty());
+  CHECK(on_disc("nx^2 + ny^2 - 1 + x").empty());
+  CHECK_THAT(on_disc("ny"), Catch::Contains("does not agree with 'exact'"));
+  CHECK_THAT(on_disc("1.1*nx"), Catch::Contains("does not agree with 'exact'"));
+}
+
+TEST_CASE("A coefficient per region that has notes only is refused", "[adapt][case][errors]") {
+  const std::string key = GENERATE("source", "diffusion", "velocity", "reaction");
+  const std::string notes = "\"" + key + R"(": {"x-note": 1}, )";
+  CHECK_THAT(issue_text(case_text(R"("exact": "x", )" + notes + kZeroBoundary)),
+             Catch::Contains("/problem/" + key + ": no value"));
+}
+
 }  // namespace parmesan

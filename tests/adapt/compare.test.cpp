@@ -1,7 +1,9 @@
 #include "adapt/compare.h"
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <sstream>
 
 #include "mesher/errors.h"
@@ -87,4 +89,44 @@ TEST_CASE("a comparison that failed leaves its folder to the next", "[adapt][com
   CHECK_FALSE(folder.has("case.json"));
   CHECK_NOTHROW(compare_case(support::interpolation_case("log(x + 2)", R"({"vertices": 200})"), options));
   CHECK(folder.has("case.json"));
+}
+
+TEST_CASE("a comparison keeps within the safety limit", "[adapt][compare][errors]") {
+  const support::TemporaryFolder folder("compare_limit");
+  const Case input = support::interpolation_case("tanh(20*(x - y^2))", "{}");
+  CompareOptions options;
+  options.out_dir = folder.path();
+  options.sizes = {100, 300};
+  options.max_vertices = 200;
+  CHECK_THROWS_AS(compare_case(input, options), LimitError);
+  options.max_vertices = 700;  // four times 300 would come nearer to the errors of the adapted meshes
+  const CompareResult result = compare_case(input, options);
+  CHECK(result.rows.size() == 6);
+  for (const CompareRow& row : result.rows) CHECK(row.vertices <= 700);
+}
+
+TEST_CASE("an interrupted comparison replaces nothing while it has no mesh, and says that it was", "[adapt][compare]") {
+  const support::TemporaryFolder folder("compare_stopped");
+  const Case input = support::interpolation_case("tanh(20*(x - y^2))", "{}");
+  CompareOptions options;
+  options.out_dir = folder.path();
+  options.sizes = {100};
+  options.max_uniform_vertices = 400;
+  compare_case(input, options);
+  const auto before = std::filesystem::last_write_time(folder.file("summary.json"));
+  std::atomic<bool> stop{true};
+  options.interrupted = &stop;
+  options.overwrite = true;
+  const CompareResult none = compare_case(input, options);
+  CHECK(none.interrupted);
+  CHECK(none.out_dir.empty());
+  for (const char* name : {"case.json", "compare.csv", "report.html"}) CHECK(folder.has(name));
+  REQUIRE(folder.has("summary.json"));
+  CHECK(std::filesystem::last_write_time(folder.file("summary.json")) == before);
+  stop = false;
+  options.progress = [&stop](const std::string&) { stop = true; };
+  const CompareResult some = compare_case(input, options);
+  CHECK(some.rows.size() == 1);
+  CHECK_THAT(some.table, Catch::Contains("interrupted"));
+  CHECK(some.out_dir == folder.path());
 }

@@ -62,6 +62,10 @@ TEST_CASE("sizes that are not positive, or contradict each other, are refused wi
                     Catch::Contains("/metric/h_max: the expression '1/x' is inf"));
   CHECK_THROWS_WITH(size_limits(mesh, varying("0.1", "x + 0.05")),
                     Catch::Contains("exceeds") && Catch::Contains("at x = 0, y = 0"));
+  MetricOptions large;
+  large.h_min = 1.0;
+  CHECK_THROWS_WITH(size_limits(mesh, large),
+                    Catch::StartsWith("/metric/h_min: 1 exceeds h_max, 0.35") && Catch::Contains("none is given"));
 }
 
 TEST_CASE("a case's size limits are numbers, expressions of parameters, or of x and y", "[adapt][case][limits]") {

@@ -66,6 +66,18 @@ TEST_CASE("the functional of the solution is the load of the dual solution", "[f
   CHECK(load.dot(vector_of(solve_dual(mesh, problem, goal))) == Approx(value).epsilon(1e-11));
 }
 
+TEST_CASE("the dual problem is solved as the problem says", "[fem][dual]") {
+  const Mesh mesh = random_square(9, 0.2, 3);
+  Problem problem = all_terms();
+  const GoalFunctional goal = density([](const Point& p, int) { return p.x * p.y; });
+  problem.solver.method = SolverMethod::Lu;
+  const std::vector<double> direct = solve_dual(mesh, problem, goal);
+  problem.solver.method = SolverMethod::Gmres;
+  const std::vector<double> iterated = solve_dual(mesh, problem, goal);
+  CHECK(iterated != direct);  // they differ by rounding
+  CHECK((vector_of(iterated) - vector_of(direct)).norm() < 1e-7 * vector_of(direct).norm());
+}
+
 TEST_CASE("the flux through Dirichlet sides is the residual of the dual solution, which is -1 there", "[fem][dual]") {
   const Mesh mesh = random_square(9, 0.2, 4);
   const Problem problem = all_terms();

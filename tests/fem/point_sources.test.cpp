@@ -26,6 +26,29 @@ double l2_error(int n) {
 
 }  // namespace
 
+TEST_CASE("triangles_at_each finds for each of many points the triangles that it is not outside of",
+          "[fem][location]") {
+  const Mesh mesh = random_square(9, 0.2, 5);
+  std::vector<Point> points = mesh.points;  // on vertices; then inside, and outside
+  for (int k = 0; k < 100; ++k) points.push_back({std::fmod(0.37 * k, 1.2), std::fmod(0.73 * k, 1.1)});
+  const auto is_left = [](const Point& a, const Point& b, const Point& p) { return cross(b - a, p - a) > -1e-14; };
+  const std::vector<std::vector<TrianglePlace>> places = triangles_at_each(mesh, points);
+  REQUIRE(places.size() == points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    std::vector<int> expected, found;
+    for (int t = 0; t < mesh.num_triangles(); ++t) {
+      const auto corner = [&](std::size_t i) {
+        return mesh.points[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i])];
+      };
+      const Point& p = points[k];
+      if (is_left(corner(0), corner(1), p) && is_left(corner(1), corner(2), p) && is_left(corner(2), corner(0), p))
+        expected.push_back(t);
+    }
+    for (const TrianglePlace& place : places[k]) found.push_back(place.triangle);
+    CHECK(found == expected);
+  }
+}
+
 TEST_CASE("triangles_at finds the triangle inside, two on an edge, all at a vertex, none outside", "[fem][location]") {
   const Mesh mesh = rectangle_mesh(4, 4);
   CHECK(triangles_at(mesh, {0.3, 0.27}).size() == 1);

@@ -89,6 +89,23 @@ TEST_CASE("A mesh is written to every format that there is", "[system][convert]"
   }
 }
 
+TEST_CASE("An outline is mended on its way to a .poly, and a mesh cannot be", "[system][convert]") {
+  const TemporaryFolder folder;
+  folder.write("bow.mesh",
+               "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n"
+               "Edges 4\n1 2 1\n2 3 1\n3 4 1\n4 1 1\nEnd\n");
+  CHECK(run_program({"convert", folder / "bow.mesh", folder / "bow.poly"}).exit_code == 4);
+  const ProgramResult mended = run_program({"convert", folder / "bow.mesh", folder / "bow.poly", "--repair"});
+  CHECK(mended.exit_code == 0);
+  CHECK_THAT(mended.err, Catch::Contains("split segments at 1 crossing"));
+  CHECK(run_program({"mesh", folder / "bow.poly", "--size", "0.3", "-q", "-o", folder / "a.mesh"}).exit_code == 0);
+  const std::string option = GENERATE("--repair", "--merge-tolerance=0.1");
+  const ProgramResult refused = run_program({"convert", folder / "a.mesh", folder / "a.msh", option});
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Catch::Contains("--repair"));
+  CHECK(read_file(folder / "a.msh").empty());
+}
+
 TEST_CASE("What cannot be converted is refused, and nothing is written", "[system][convert][errors]") {
   const TemporaryFolder folder;
   folder.write("a.mesh", square_mesh);

@@ -137,6 +137,7 @@ TEST_CASE("an output of an impossible name ends with 7", "[system][hostile][erro
   const TemporaryFolder folder;
   const std::string input = folder.write("small.json", small_run);
   CHECK(run_program({"run", input, "--out", folder / std::string(300, 'n')}).exit_code == 7);
+  CHECK(run_program({"run", input, "--out", folder / std::string(300, 'n'), "--resume"}).exit_code == 7);
   CHECK(run_program({"mesh", input, "--size", "0.5", "-o", folder / (std::string(300, 'n') + ".mesh")}).exit_code == 7);
   CHECK(run_program({"mesh", input, "--size", "0.5", "-o", folder / "none/a.mesh"}).exit_code == 7);
   fs::create_symlink("/dev/full", folder / "full.mesh");
@@ -202,6 +203,9 @@ TEST_CASE("a case of hostile size is refused in time", "[system][hostile][errors
   CHECK_THAT(refused("{\"x-a\":\n" + std::string(100000, '[') + std::string(100000, ']') + "}"),
              Catch::Contains(":2:64: nested more than 64 deep"));
   CHECK_THAT(refused("{\"name\": \"" + std::string(5000000, 'n') + "\"}"), Catch::Contains("/name"));
+  std::string twice;
+  for (int k = 0; k < 300000; ++k) twice += (k > 0 ? R"(,{"a":1,"a":1})" : R"({"a":1,"a":1})");
+  CHECK_THAT(refused("{\"x-a\": [" + twice + "]}"), Catch::Contains("given twice"));
   std::string sum = "x";
   for (int k = 0; k < 100000; ++k) sum += "+sin(x*y)";
   CHECK_THAT(refused("{" + square + R"(, "problem": {"interpolate": ")" + sum + "\"}}"),

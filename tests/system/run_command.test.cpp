@@ -8,6 +8,7 @@
 
 using parmesan::support::ProgramResult;
 using parmesan::support::read_file;
+using parmesan::support::run_other;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
 
@@ -186,4 +187,29 @@ TEST_CASE("resume says when it goes on from the older checkpoint, and ends the s
   CHECK_THAT(resumed.err,
              Catch::Contains(newest + " is damaged: its checksum is wrong") && Catch::Contains("going on"));
   CHECK(read_file(folder / "out/mesh.mesh") == mesh);
+}
+
+TEST_CASE("an interrupted run is not judged by its pass limits", "[system][run]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("layer.json", layer);
+  const ProgramResult result =
+      run_program({"run", input, "--verify", "--out", folder / "out", "--set", "/expect/efficiency/max=0.5", "--set",
+                   "/targets/vertices=2000000", "--set", "/targets/max_iterations=1000"},
+                  folder.path(), {SIGINT, 800});
+  INFO(result.err);
+  CHECK(result.exit_code == 128 + SIGINT);
+  CHECK_THAT(result.out, !Catch::Contains("MISSED"));
+}
+
+TEST_CASE("the summary has the number of threads that computed", "[system][run]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("layer.json", layer);
+  const std::vector<std::string> words{"OMP_NUM_THREADS=3",     PARMESAN_PROGRAM, "run",         input, "-q", "--set",
+                                       "/targets/vertices=100", "--out",          folder / "out"};
+  REQUIRE(run_other("env", words).exit_code == 0);
+#ifdef _OPENMP
+  CHECK(summary_of(folder / "out").at("threads") == 3);
+#else
+  CHECK(summary_of(folder / "out").at("threads") == 1);
+#endif
 }

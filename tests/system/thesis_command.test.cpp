@@ -66,6 +66,21 @@ TEST_CASE("wrong parameters of the thesis's schedule end with 2", "[system][mesh
   CHECK_THAT(result.err, Catch::Contains(option));
 }
 
+TEST_CASE("options of the mesher that would not be read end with 2", "[system][mesh][thesis][errors]") {
+  const TemporaryFolder folder;
+  const std::string square = folder.write("square.poly", square_poly);
+  const auto options = GENERATE(values<std::vector<std::string>>({{"--max-picks", "5"},
+                                                                  {"--max-picks", "5", "--schedule", "fast"},
+                                                                  {"--preset", "mid", "--schedule", "thesis"},
+                                                                  {"--decay", "2", "--potential", "shimada"},
+                                                                  {"--radius", "2"}}));
+  std::vector<std::string> all{"mesh", square, "--size", "1", "-o", folder / "a.mesh"};
+  all.insert(all.end(), options.begin(), options.end());
+  const ProgramResult result = run_program(all);
+  CHECK(result.exit_code == 2);
+  CHECK_THAT(result.err, Catch::Contains(options.front() + " is for the "));
+}
+
 TEST_CASE("mesh writes the Voronoi diagram and the evolution", "[system][mesh][thesis]") {
   const TemporaryFolder folder;
   const std::string square = folder.write("square.poly", square_poly);

@@ -8,6 +8,7 @@
 #include "tools/cli/case_options.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/escape.h"
+#include "tools/cli/naming_file.h"
 
 namespace parmesan {
 namespace {
@@ -39,16 +40,17 @@ std::string trial_text(const IterationRow& row) {
 
 ExitCode check_one(const std::string& file, const CommonOptions& common) {
   try {
-    const Case input = read_case(file);
-    const IterationRow row = try_out(input, common.limits.vertices);
-    if (!common.quiet) {
+    naming_file(file, [&] {
+      const Case input = read_case(file);
+      const IterationRow row = try_out(input, common.limits.vertices);
+      if (common.quiet) return;
       std::cout << escape_control(file) << ": valid, " << input.domain.points.size() << " points, "
                 << input.domain.segments.size() << " segments, " << trial_text(row) << "; "
                 << expected_size(input, common.limits) << std::endl;
-    }
+    });
     return ExitCode::Done;
   } catch (const std::runtime_error&) {
-    return report_current_exception(file);
+    return report_current_exception();
   }
 }
 

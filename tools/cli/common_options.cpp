@@ -133,6 +133,14 @@ void add_seed_option(CLI::App& command, CommonOptions& options) {
       ->group("Common options");
 }
 
+int num_threads() {
+#ifdef _OPENMP
+  return omp_get_max_threads();
+#else
+  return 1;
+#endif
+}
+
 void apply(const CommonOptions& options) {
 #ifdef _OPENMP
   if (options.threads > 0) omp_set_num_threads(options.threads);

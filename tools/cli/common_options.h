@@ -34,6 +34,9 @@ void add_seed_option(CLI::App& command, CommonOptions& options);
 /// Past the time limit the process ends with ExitCode::LimitHit.
 void apply(const CommonOptions& options);
 
+/// With how many threads this process computes, after apply.
+int num_threads();
+
 /// Checks for a number above 0 whose square is no less and no more than a double can be.
 CLI::Validator positive_number();
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -24,9 +23,7 @@ CompareOptions compare_options(const CompareArguments& arguments) {
   options.out_dir = arguments.input.out_dir;
   options.overwrite = arguments.input.overwrite;
   if (!arguments.sizes.empty()) options.sizes = arguments.sizes;
-  options.max_uniform_vertices = std::min(options.max_uniform_vertices, arguments.common.limits.vertices);
-  options.threads = arguments.common.threads;
-  options.quiet = arguments.common.quiet;
+  options.max_vertices = arguments.common.limits.vertices;
   options.progress = progress_to_stderr(arguments.common);
   options.interrupted = &watch_for_interrupt();
   return options;
@@ -37,11 +34,12 @@ ExitCode compare(const CompareArguments& arguments) {
   const CompareResult result = naming_file(arguments.input.file, [&arguments] {
     return compare_case(read_case(arguments.input, arguments.common), compare_options(arguments));
   });
-  if (!arguments.common.quiet) {
+  if (result.out_dir.empty()) print_warning("interrupted before the first mesh; nothing is written");
+  if (!arguments.common.quiet && !result.out_dir.empty()) {
     std::cout << escape_control(result.table, true) << "written: " << escape_control(result.out_dir)
               << ", to be looked at in its report.html\n";
   }
-  return static_cast<ExitCode>(result.interrupted ? interrupt_exit_code() : result.exit_code);
+  return result.interrupted ? static_cast<ExitCode>(interrupt_exit_code()) : ExitCode::Done;
 }
 
 }  // namespace

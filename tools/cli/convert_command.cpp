@@ -52,6 +52,11 @@ void convert_fields(const ConvertArguments& arguments) {
   write_medit_fields(arguments.out, read_medit_fields(arguments.in));
 }
 
+/// Whether only the geometry of the file is taken.
+bool is_geometry(const ConvertArguments& arguments) {
+  return is_any_domain_file_name(arguments.in) || file_suffix(arguments.out) == ".poly";
+}
+
 void convert_geometry(const ConvertArguments& arguments) {
   const Domain domain = read_domain(arguments.in, arguments.repair);
   if (file_suffix(arguments.out) == ".poly") return write_poly(arguments.out, with_hole_seeds(domain));
@@ -59,23 +64,24 @@ void convert_geometry(const ConvertArguments& arguments) {
 }
 
 void convert_mesh(const ConvertArguments& arguments) {
-  MeshData data = read_mesh_data(arguments.in);
-  if (file_suffix(arguments.out) == ".poly") {
-    return write_poly(arguments.out, with_hole_seeds(geometry_of(std::move(data.mesh))));
-  }
+  const MeshData data = read_mesh_data(arguments.in);
   write_any_mesh(arguments.out, data.mesh, data.fields, arguments.write);
 }
 
 ExitCode convert(const ConvertArguments& arguments) {
   apply(arguments.common);
   check_output(arguments.out);
-  if (is_solution(arguments.in) || is_solution(arguments.out)) {
-    convert_fields(arguments);
-    return ExitCode::Done;
+  const bool is_field = is_solution(arguments.in) || is_solution(arguments.out);
+  if (!is_field) check_any_mesh_name(arguments.out);
+  const RepairOptions& repair = arguments.repair;
+  const bool mends = repair.split_crossings || repair.merge_tolerance > 0.0;
+  if (mends && (is_field || !is_geometry(arguments))) {
+    print_error("--repair and --merge-tolerance are for geometries, and what becomes a .poly");
+    return ExitCode::Usage;
   }
-  check_any_mesh_name(arguments.out);
-  naming_file(arguments.in, [&arguments] {
-    if (is_any_domain_file_name(arguments.in)) return convert_geometry(arguments);
+  naming_file(arguments.in, [&] {
+    if (is_field) return convert_fields(arguments);
+    if (is_geometry(arguments)) return convert_geometry(arguments);
     convert_mesh(arguments);
   });
   return ExitCode::Done;

@@ -9,7 +9,6 @@
 #include "fem/solve.h"
 #include "mesher/errors.h"
 #include "tools/cli/escape.h"
-#include "tools/cli/naming_file.h"
 
 namespace parmesan {
 void print_error(const std::string& message) {
@@ -20,9 +19,9 @@ void print_warning(const std::string& message) {
   std::cerr << "parmesan: warning: " << escape_control(message, true) << std::endl;
 }
 
-ExitCode report_current_exception(const std::string& file) {
-  const auto fail = [&file](ExitCode code, const std::string& message) {
-    print_error(named(file, message));
+ExitCode report_current_exception() {
+  const auto fail = [](ExitCode code, const std::string& message) {
+    print_error(message);
     return code;
   };
   try {

@@ -19,9 +19,9 @@ enum class ExitCode {
   Interrupted = 130
 };
 
-/// Prints "parmesan: error: ..." for the exception being handled and gives the exit code of its type. The message
-/// begins with the file, if one is given. To be called in a catch block only.
-ExitCode report_current_exception(const std::string& file = {});
+/// Prints "parmesan: error: ..." for the exception being handled and gives the exit code of its type. To be called in a
+/// catch block only.
+ExitCode report_current_exception();
 
 /// Print "parmesan: error: ..." or "parmesan: warning: ..." to standard error, control characters escaped.
 void print_error(const std::string& message);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
@@ -5,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "adapt/idle_options.h"
 #include "adapt/io/any_mesh.h"
 #include "adapt/io/png.h"
 #include "adapt/number_text.h"
@@ -107,6 +109,22 @@ GenerateResult generated(const MeshArguments& arguments, const GeometryInput& ge
   return generate_around(*geometry.mesh, inputs.metric(), options);
 }
 
+// "/particles/max_picks" is "--max-picks" here.
+std::string option_name(const std::string& pointer) {
+  std::string name = "--" + pointer.substr(pointer.rfind('/') + 1);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
+// Options that cannot be together, or need another. Empty: none.
+std::string contradiction(const MeshArguments& arguments) {
+  const MeshInputOptions& inputs = arguments.inputs;
+  if (!inputs.background.empty() && inputs.metric.empty() && inputs.indicator.empty())
+    return "--background requires --metric or --indicator";
+  const std::vector<IdleOption> idle = idle_options(arguments.mesher);
+  return idle.empty() ? "" : option_name(idle.front().pointer) + " " + idle.front().problem;
+}
+
 ExitCode mesh(const MeshArguments& arguments) {
   apply(arguments.common);
   for (const std::vector<std::string>* outputs : {&arguments.outputs, &arguments.voronoi}) {
@@ -115,8 +133,8 @@ ExitCode mesh(const MeshArguments& arguments) {
       check_output(output);
     }
   }
-  if (!arguments.inputs.background.empty() && arguments.inputs.metric.empty() && arguments.inputs.indicator.empty()) {
-    print_error("--background requires --metric or --indicator");
+  if (const std::string problem = contradiction(arguments); !problem.empty()) {
+    print_error(problem);
     return ExitCode::Usage;
   }
   const GeometryInput geometry = naming_file(arguments.geometry, [&arguments] {

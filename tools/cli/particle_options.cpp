@@ -29,8 +29,7 @@ CLI::Option* add_number(CLI::App& command, const char* name, Value& value, const
 }  // namespace
 
 void add_schedule_options(CLI::App& command, GenerateOptions& options) {
-  CLI::Option* schedule = add_choice(command, "--schedule", options.schedule, schedule_names,
-                                     "How particles are moved (thesis: pick by pick)");
+  add_choice(command, "--schedule", options.schedule, schedule_names, "How particles are moved (thesis: pick by pick)");
   ParticleOptions& particles = options.particles;
   add_name(command, "--potential", particles.potential, potential_names, "What acts between particles (3.3)");
   add_number(command, "--decay", particles.decay, {1e-6, 100.0}, "d of the approximation 3.20 [1]");
@@ -53,7 +52,7 @@ void add_schedule_options(CLI::App& command, GenerateOptions& options) {
       add_name(command, "--relocation", particles.relocation, relocation_names, "How particles move"),
       add_name(command, "--picking", particles.picking, picking_names, "Who is picked (3.5)"),
       add_number(command, "--max-picks", particles.max_picks, {1.0, 1e9}, "Most picks per particle [400]")};
-  for (CLI::Option* option : of_thesis) option->needs(schedule)->group("Particles of --schedule thesis");
+  for (CLI::Option* option : of_thesis) option->group("Particles of --schedule thesis");
 }
 
 }  // namespace parmesan

@@ -25,8 +25,7 @@ RunOptions run_options(const RunArguments& arguments) {
   options.overwrite = arguments.input.overwrite;
   options.resume = arguments.resume;
   options.force = arguments.force;
-  options.threads = arguments.common.threads;
-  options.quiet = arguments.common.quiet;
+  options.threads = num_threads();
   options.max_vertices = arguments.common.limits.vertices;
   options.progress = progress_to_stderr(arguments.common);
   options.interrupted = &watch_for_interrupt();
@@ -40,8 +39,11 @@ ExitCode run(const RunArguments& arguments) {
   });
   for (const std::string& warning : result.summary.warnings) print_warning(warning);
   if (!arguments.common.quiet) print_summary(std::cout, result);
-  if (arguments.verify && !all_passed(std::cout, result.verdicts)) return ExitCode::TargetMissed;
-  return static_cast<ExitCode>(result.exit_code == 130 ? interrupt_exit_code() : result.exit_code);
+  const Summary& summary = result.summary;
+  if (summary.stop_reason == StopReason::Interrupted) return static_cast<ExitCode>(interrupt_exit_code());
+  const bool passed = !arguments.verify || all_passed(std::cout, result.verdicts);
+  const bool missed = summary.error_targets_declared && !summary.targets_met;
+  return passed && !missed ? ExitCode::Done : ExitCode::TargetMissed;
 }
 
 }  // namespace

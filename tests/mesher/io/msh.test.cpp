@@ -160,6 +160,8 @@ TEST_CASE("Every fault in a Gmsh file is refused with its line", "[mesher][io][m
   CHECK(line_of(format_4 + nodes + "$Elements\n1 1 1 1\n2 4 3 1\n1 10 20 30 40\n$EndElements\n") == 23);  // quads
   CHECK(line_of(format_4 + nodes + "$Elements\n1 1 1 1\n2 4 2 2\n1 10 20 30\n$EndElements\n") == 24);
   CHECK(line_of(format_2 + "$PhysicalNames\n1\n1 7 wall\n$EndPhysicalNames\n") == 6);
+  CHECK(line_of(format_2 + "$PhysicalNames\n1\n1 7 \"Au\xdf"
+                           "en\"\n$EndPhysicalNames\n") == 6);  // Latin-1
   CHECK(line_of(format_4 + nodes + elements + "$NodeData\n1\n\"u\"\n0\n3\n0\n2\n0\n$EndNodeData\n") == 36);
 }
 
