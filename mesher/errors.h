@@ -38,7 +38,8 @@ class FileError : public InputError {
   int line_;
 };
 
-/// A file can be parsed, but a number in it cannot be: it is not finite, refers to nothing, or is no metric. Exit code 3.
+/// A file can be parsed, but a number in it cannot be: it is not finite, refers to nothing, or is no metric. Exit code
+/// 3.
 class FileValueError : public FileError {
  public:
   using FileError::FileError;

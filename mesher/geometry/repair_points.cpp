@@ -109,7 +109,7 @@ void require_extent(const DomainRepair& repair) {
   const double diameter = bounding_diagonal(points);
   if (diameter < min_diameter) {
     throw InputError("the domain's diameter is " + text(diameter) + "; it must be at least " + text(min_diameter) +
-                        ": scale the domain");
+                     ": scale the domain");
   }
 }
 

@@ -68,6 +68,7 @@ class GmfReader {
   }
 
   [[noreturn]] void fail(const std::string& problem) const { in_.fail(problem); }
+  [[noreturn]] void fail_value(const std::string& problem) const { in_.fail_value(problem); }
 
  private:
   struct Section {

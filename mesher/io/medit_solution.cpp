@@ -18,8 +18,8 @@ struct Wanted {
   std::optional<int> count;
 };
 
-/// make(type, numbers) of each value of the one field at the vertices. Memory is taken as values come: the count may
-/// lie. Errors: FileError where the value stands, also for what make refuses.
+/// make(type, numbers) of each value of the one field at the vertices. Memory is taken as values come where the file
+/// alone says how many: it may lie. Errors: FileError; FileValueError where the value stands for what make refuses.
 template <class Value, class In, class Make>
 std::vector<Value> read_at_vertices(In& in, const Wanted& wanted, Make make) {
   std::vector<Value> values;
@@ -32,6 +32,7 @@ std::vector<Value> read_at_vertices(In& in, const Wanted& wanted, Make make) {
     const std::vector<int> types = read_field_types(in, dimension);
     if (types.size() != 1) in.fail("the number of fields must be 1");
     if (std::ranges::find(wanted.types, types.front()) == wanted.types.end()) in.fail(wanted.rule);
+    if (wanted.count) values.reserve(count);
     std::vector<double> numbers;
     for (std::size_t i = 0; i < count; ++i) {
       numbers.clear();
@@ -39,7 +40,7 @@ std::vector<Value> read_at_vertices(In& in, const Wanted& wanted, Make make) {
       try {
         values.push_back(make(types.front(), numbers));
       } catch (const InputError& error) {
-        in.fail("vertex " + std::to_string(i + 1) + ": " + error.what());
+        in.fail_value("vertex " + std::to_string(i + 1) + ": " + error.what());
       }
     }
     return true;

@@ -138,8 +138,8 @@ void warn_beyond(const Domain& domain, const Mesh& background) {
 std::unique_ptr<BackgroundMesh> sizes_of(const Domain& domain) {
   FeatureSizeField found = feature_size_field(domain);
   if (const std::optional<CoarsenedFeature>& worst = found.coarsened) {
-    print_warning("the geometry is too narrow for sizes that follow it: at " + rounded_text(worst->place) + " they are " +
-                  short_number(worst->size, 2) + " in place of " + short_number(worst->wanted, 2) +
+    print_warning("the geometry is too narrow for sizes that follow it: at " + rounded_text(worst->place) +
+                  " they are " + short_number(worst->size, 2) + " in place of " + short_number(worst->wanted, 2) +
                   "; --size or a background gives others");
   }
   return std::make_unique<BackgroundMesh>(std::move(found.sizes));
