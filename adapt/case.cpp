@@ -148,7 +148,11 @@ Case parse_unclean(const std::string& text, const std::string& file, const std::
   read_functionals_section(reading, geometry ? &*geometry : nullptr, result);
   read_option_sections(reading, result);
   refuse_infinite_errors(reading, result);
-  if (!reading.issues.empty()) throw CaseError(file, place_issues(reading.document, reading.issues));
+  if (!reading.issues.empty()) {
+    const CaseError error(file, place_issues(reading.document, reading.issues));
+    if (reading.issues.are_geometry()) throw GeometryError(error.what());
+    throw error;
+  }
   result.title = reading.document.root["title"].get<std::string>();
   result.resolved = std::move(reading.document.root);
   return result;

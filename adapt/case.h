@@ -115,7 +115,7 @@ struct Override {
 };
 
 /// Reads a case file. Errors: FileError (cannot be read), CaseError (all issues at once),
-/// GeometryError (the geometry it names is invalid).
+/// GeometryError (the geometry it describes or names is invalid, and nothing else is).
 Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
 /// The same from text; file is used in messages and to find files the case names.

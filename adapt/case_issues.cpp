@@ -6,9 +6,19 @@
 namespace parmesan {
 
 void CaseIssues::add(std::string pointer, std::string problem, std::optional<std::size_t> text_position) {
-  const auto repeats = [&](const RawIssue& issue) { return issue.pointer == pointer && issue.problem == problem; };
+  add({std::move(pointer), std::move(problem), text_position});
+}
+
+void CaseIssues::add_geometry(std::string pointer, std::string problem) {
+  add({std::move(pointer), std::move(problem), std::nullopt, true});
+}
+
+void CaseIssues::add(RawIssue issue) {
+  const auto repeats = [&](const RawIssue& other) {
+    return other.pointer == issue.pointer && other.problem == issue.problem;
+  };
   if (full() || std::any_of(issues_.begin(), issues_.end(), repeats)) return;
-  issues_.push_back({std::move(pointer), std::move(problem), text_position});
+  issues_.push_back(std::move(issue));
 }
 
 bool CaseIssues::clean(std::string_view pointer) const {

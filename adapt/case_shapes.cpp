@@ -184,7 +184,7 @@ void add_holes(CaseReading& reading, const Json& holes, const std::string& place
     if (last > first) placed.push_back({pointer, first, last, builder.domain().holes.back()});
   }
   for (const HoleFault& fault : misplaced_holes(builder.domain(), placed, outline))
-    reading.issues.add(placed[fault.hole].pointer, fault.message);
+    reading.issues.add_geometry(placed[fault.hole].pointer, fault.message);
 }
 
 /// "labels": {"old": "new"}.

@@ -44,6 +44,8 @@ void check_points(const Mesh& mesh) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
       throw GeometryError("point " + std::to_string(i) + " has a coordinate that is not finite", {i});
     }
+    if (std::max(std::abs(p.x), std::abs(p.y)) > max_coordinate)
+      throw InputError("point " + std::to_string(i) + " has a coordinate beyond 1e75: scale the mesh");
   }
 }
 

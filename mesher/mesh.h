@@ -56,7 +56,8 @@ std::string label_name(const LabelNames& names, int label);
 
 /// Throws GeometryError unless the mesh is one that can be computed on: indices in range, every
 /// triangle counter-clockwise by exact orientation, each edge shared by at most two triangles,
-/// once in each direction, the boundary covered by labelled edges, no orphan vertex, finite points.
+/// once in each direction, the boundary covered by labelled edges, no orphan vertex, finite points;
+/// InputError for coordinates beyond max_coordinate.
 /// Cost: O(n).
 void validate(const Mesh& mesh);
 

@@ -4,6 +4,9 @@
 
 namespace parmesan {
 
+/// The largest coordinate of domains and meshes, either sign: beyond, products of the mesher could overflow.
+inline constexpr double max_coordinate = 1e75;
+
 /// A point of the plane, or a displacement between two points. Units: L.
 struct Point {
   double x = 0.0;

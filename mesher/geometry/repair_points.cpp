@@ -13,8 +13,7 @@ namespace parmesan {
 
 namespace {
 
-// Beyond these the products of the mesher could over- or underflow.
-constexpr double max_coordinate = 1e75;
+// Below it the products of the mesher could underflow.
 constexpr double min_diameter = 1e-75;
 
 constexpr double close_share_of_diameter = 1e-7;

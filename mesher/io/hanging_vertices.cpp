@@ -69,8 +69,10 @@ class HangingSearch {
 }  // namespace
 
 void refuse_hanging_vertices(const std::vector<Point>& points, const std::vector<BoundarySide>& sides) {
-  const auto is_finite = [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
-  if (std::ranges::all_of(points, is_finite)) HangingSearch(points, sides).run();  // validate() names the others
+  const auto is_usable = [](const Point& p) {
+    return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
+  };
+  if (std::ranges::all_of(points, is_usable)) HangingSearch(points, sides).run();  // validate() names the others
 }
 
 }  // namespace parmesan

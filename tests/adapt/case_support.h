@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adapt/case.h"
+#include "mesher/errors.h"
 
 namespace parmesan::support {
 
@@ -23,6 +24,8 @@ inline std::vector<std::string> issues_of(const std::string& text, const std::ve
     parse_case(text, "case.json", overrides);
   } catch (const CaseError& error) {
     for (const CaseIssue& issue : error.issues()) issues.push_back(issue.pointer + ": " + issue.problem);
+  } catch (const GeometryError& error) {
+    issues.emplace_back(error.what());
   }
   return issues;
 }

@@ -146,6 +146,14 @@ TEST_CASE("validate names what is wrong and where", "[mesher][mesh][errors]") {
   }
 }
 
+TEST_CASE("validate refuses coordinates whose products could overflow", "[mesher]") {
+  Mesh mesh = two_triangles();
+  for (Point& p : mesh.points) p = max_coordinate * p;
+  CHECK_NOTHROW(validate(mesh));
+  for (Point& p : mesh.points) p = 2.0 * p;
+  CHECK_THROWS_WITH(validate(mesh), Contains("point 1 has a coordinate beyond 1e75"));
+}
+
 TEST_CASE("validate refuses numbers of regions that stand for none", "[mesher]") {
   Mesh mesh = two_triangles();
   mesh.regions[1] = min_region;

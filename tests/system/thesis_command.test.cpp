@@ -71,7 +71,6 @@ TEST_CASE("options of the mesher that would not be read end with 2", "[system][m
   const std::string square = folder.write("square.poly", square_poly);
   const auto options = GENERATE(values<std::vector<std::string>>({{"--max-picks", "5"},
                                                                   {"--max-picks", "5", "--schedule", "fast"},
-                                                                  {"--preset", "mid", "--schedule", "thesis"},
                                                                   {"--decay", "2", "--potential", "shimada"},
                                                                   {"--radius", "2"}}));
   std::vector<std::string> all{"mesh", square, "--size", "1", "-o", folder / "a.mesh"};
