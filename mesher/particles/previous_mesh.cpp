@@ -177,6 +177,8 @@ bool take_regions(Mesh& mesh, const Mesh& sites, const Domain& domain) {
       if (from && new_region.try_emplace(*from, *to).first->second != *to) return false;
     }
   }
+  const auto is_known = [&](int region) { return new_region.contains(region); };
+  if (!std::ranges::all_of(mesh.regions, is_known)) return false;  // one lies amid another without a border
   for (int& region : mesh.regions) region = new_region.at(region);
   return true;
 }

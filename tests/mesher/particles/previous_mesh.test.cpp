@@ -96,6 +96,12 @@ TEST_CASE("a mesh gets the regions of its new domain where each comes from one o
   CHECK(std::ranges::count(found->regions, 2) == mesh.num_triangles());
 }
 
+TEST_CASE("a region amid another, without edges around it, is none of the domain's", "[mesher][particles]") {
+  Mesh mesh = support::rectangle_mesh(5, 5);
+  mesh.regions[24] = 7;  // in the middle
+  CHECK_FALSE(fitted_to(support::unit_square(), mesh));
+}
+
 TEST_CASE("generate does not lose a point that its previous mesh lacks", "[mesher][particles]") {
   const ConstantField field(Metric::isotropic(0.1));
   Domain domain = support::unit_square();
