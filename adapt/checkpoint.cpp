@@ -138,6 +138,7 @@ std::vector<fs::path> newest_first(const std::string& folder) {
   }
   std::ranges::stable_sort(found, std::greater{}, &std::pair<int, fs::path>::first);
   std::vector<fs::path> paths;
+  paths.reserve(found.size());
   for (auto& [row, path] : found) paths.push_back(std::move(path));
   return paths;
 }

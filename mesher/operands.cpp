@@ -64,6 +64,7 @@ void add(Operands& operands, const Domain& domain) {
 void merge_near_points(Domain& domain, double tolerance) {
   KeptPoints kept(domain.points, tolerance);
   std::vector<int> merged;
+  merged.reserve(domain.points.size());
   for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) merged.push_back(kept.find_or_keep(v));
   for (Segment& s : domain.segments) s = piece_of(s, merged[at(s.a)], merged[at(s.b)]);
   for (int& v : domain.required_points) v = merged[at(v)];
