@@ -126,8 +126,8 @@ class RegionsBeside {
       is_on_edge[at(a)] = is_on_edge[at(b)] = 1;
       edge_between_[std::minmax(a, b)] = e;
       const Segment& segment = domain.segments[at(mesh.labels[at(e)])];
-      goes_along_.push_back(parameter_on(domain, segment, mesh.points[at(a)]) <
-                            parameter_on(domain, segment, mesh.points[at(b)]));
+      const double from = parameter_on(domain, segment, mesh.points[at(a)]);
+      goes_along_.push_back(from < parameter_on(domain, segment, mesh.points[at(b)]) ? 1 : 0);
     }
     for (int t = 0; t < mesh.num_triangles(); ++t) {
       const auto& corners = mesh.triangles[at(t)];
