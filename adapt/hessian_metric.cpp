@@ -75,6 +75,10 @@ struct Limits {
   double gradation = 0.0;
 };
 
+Limits limits_of(const Mesh& mesh, const MetricRequest& request) {
+  return {size_limits(mesh, request.options), request.options.gradation};
+}
+
 void bound_aspects(const Mesh& mesh, std::span<const Eigen2> hessians, const MetricRequest& request, Limits& limits) {
   const std::vector<double> bounds =
       aspect_bounds(hessians, vertex_areas(mesh), request.influence, request.options.norm);
@@ -226,7 +230,7 @@ HessianMetric metric_from_hessians(const Mesh& mesh, std::span<const AbsoluteHes
   std::vector<Eigen2> shapes;
   shapes.reserve(hessians.size());
   for (const AbsoluteHessian& h : hessians) shapes.push_back(floored(h, floor, request.isotropic));
-  Limits limits{size_limits(mesh, request.options), request.options.gradation};
+  Limits limits = limits_of(mesh, request);
   if (!request.influence.empty()) bound_aspects(mesh, shapes, request, limits);
   for (std::size_t v = 0; v < shapes.size(); ++v)
     shapes[v] = scaled_eigen(shapes[v], hessians[v].negative_share, limits.sizes[v].max_aspect, request);
@@ -242,7 +246,7 @@ HessianMetric intersected(const Mesh& mesh, const HessianMetric& a, const Hessia
   for (std::size_t v = 0; v < a.metrics.size(); ++v) {
     shapes.push_back(eigen_decomposition(intersect(a.metrics[v], b.metrics[v]).tensor()));
   }
-  return of_shapes(mesh, shapes, {size_limits(mesh, request.options), request.options.gradation}, request);
+  return of_shapes(mesh, shapes, limits_of(mesh, request), request);
 }
 
 }  // namespace parmesan

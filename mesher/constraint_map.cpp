@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
@@ -51,9 +52,7 @@ void ConstraintMap::bind_to_segments() {
 
 // Domain points that no segment ends at are recognised by their coordinates.
 void ConstraintMap::find_isolated_points() {
-  std::vector<int> isolated;
-  for (int p = 0; p < static_cast<int>(domain_.points.size()); ++p)
-    if (segments_from_[at(p)].empty()) isolated.push_back(p);
+  std::vector<int> isolated = isolated_points(domain_);
   if (isolated.empty()) return;
   const auto point_before = [this](int p, const Point& q) { return comes_before(domain_.points[at(p)], q); };
   std::sort(isolated.begin(), isolated.end(), [&](int p, int q) { return point_before(p, domain_.points[at(q)]); });

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <locale>
-#include <map>
 #include <sstream>
 #include <utility>
 
+#include "mesher/edge_finder.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_contacts.h"
@@ -29,18 +29,22 @@ Point middle_of_arc(const Domain& domain, const Segment& segment, const Point& a
   return point_on(domain, segment, t > low && t < high ? t : 0.5 * (low + high));
 }
 
-std::array<int, 2> ends_in_order(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+/// The edges on curves, and how far each is from its own.
+struct Deviations {
+  std::vector<std::array<int, 2>> edges;
+  std::vector<double> distances;
+};
 
-// How far the edges on curves are from these, by their ends.
-std::map<std::array<int, 2>, double> deviations_from_curves(const Mesh& mesh, const Domain& domain) {
-  std::map<std::array<int, 2>, double> deviations;
+Deviations deviations_from_curves(const Mesh& mesh, const Domain& domain) {
+  Deviations deviations;
   for (int e = 0; e < mesh.num_edges(); ++e) {
     const Segment& segment = segment_of(mesh, domain, e);
     if (segment.is_straight()) continue;
     const auto& [a, b] = mesh.edges[at(e)];
     const auto [from, to] = std::minmax(
         {parameter_on(domain, segment, mesh.points[at(a)]), parameter_on(domain, segment, mesh.points[at(b)])});
-    deviations[ends_in_order(a, b)] = domain.curves[at(segment.curve)].deviation(from, to);
+    deviations.edges.push_back(mesh.edges[at(e)]);
+    deviations.distances.push_back(domain.curves[at(segment.curve)].deviation(from, to));
   }
   return deviations;
 }
@@ -49,7 +53,7 @@ std::map<std::array<int, 2>, double> deviations_from_curves(const Mesh& mesh, co
 std::vector<std::array<int, 2>> repeated_edges(const Mesh& mesh) {
   std::vector<std::array<int, 3>> sorted;
   for (int e = 0; e < mesh.num_edges(); ++e) {
-    const auto [low, high] = ends_in_order(mesh.edges[at(e)][0], mesh.edges[at(e)][1]);
+    const auto [low, high] = std::minmax(mesh.edges[at(e)][0], mesh.edges[at(e)][1]);
     sorted.push_back({low, high, e});
   }
   std::sort(sorted.begin(), sorted.end());
@@ -97,21 +101,19 @@ std::optional<Mesh> put_on_curves(Mesh mesh, const Domain& domain) {
 
 std::optional<std::string> distant_chords(const Mesh& mesh, const Domain& domain) {
   constexpr double much = 0.5;
-  const std::map<std::array<int, 2>, double> deviations = deviations_from_curves(mesh, domain);
-  if (deviations.empty()) return std::nullopt;
-  std::vector<char> is_on_curve(mesh.points.size(), 0);
-  for (const auto& [ends, deviation] : deviations)
-    for (const int v : ends) is_on_curve[at(v)] = 1;
+  const Deviations deviations = deviations_from_curves(mesh, domain);
+  if (deviations.edges.empty()) return std::nullopt;
+  const EdgeFinder finder(deviations.edges, mesh.points.size());
   int count = 0;
   double worst = much;  // over the height
   Point place;
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (is_on_curve[at(t[k])] == 0 || is_on_curve[at(t[(k + 1) % 3])] == 0) continue;
-      const auto found = deviations.find(ends_in_order(t[k], t[(k + 1) % 3]));
-      if (found == deviations.end()) continue;
+      const int edge = finder.find(t[k], t[(k + 1) % 3]);
+      if (edge < 0) continue;
       const Point &a = mesh.points[at(t[k])], &b = mesh.points[at(t[(k + 1) % 3])];
-      const double ratio = found->second * norm(b - a) / doubled_area(a, b, mesh.points[at(t[(k + 2) % 3])]);
+      const double ratio =
+          deviations.distances[at(edge)] * norm(b - a) / doubled_area(a, b, mesh.points[at(t[(k + 2) % 3])]);
       if (ratio <= much) continue;
       ++count;
       if (ratio > worst) place = midpoint(a, b);

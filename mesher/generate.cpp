@@ -202,6 +202,12 @@ Relaxed mesh_by_thesis(const Domain& domain, const MetricField& field, const Mes
   return taken_lower_in_error(particles, options.hessian);
 }
 
+// The particles of a crack are those of both its sides.
+std::optional<Mesh> fitted_to_curves(Mesh mesh, const Domain& domain, const Mesh& sites) {
+  std::optional<Mesh> fit = fitted(has_cracks(mesh) ? close_cracks(mesh).mesh : std::move(mesh), domain, sites);
+  return fit ? put_on_curves(*std::move(fit), domain) : std::nullopt;
+}
+
 // Both sides of a crack have the metric of the particles on it.
 std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metric>& metrics) {
   std::vector<Metric> result;
@@ -231,11 +237,9 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
 
   StartChoice choice{.reason = "there is no previous mesh"};
   std::optional<Mesh> fit;
-  if (previous) {  // the particles of a crack are those of both its sides
-    fit = fitted(has_cracks(*previous) ? close_cracks(*previous).mesh : *std::move(previous), domain, sites);
-    choice.reason = "the previous mesh does not fit the geometry";
-    if (fit) fit = put_on_curves(*std::move(fit), domain);
-    if (fit) choice = choose_start(*fit, field);
+  if (previous) {
+    fit = fitted_to_curves(*std::move(previous), domain, sites);
+    choice = fit ? choose_start(*fit, field) : StartChoice{.reason = "the previous mesh does not fit the geometry"};
     if (fit && by_thesis)
       choice = {Start::PreviousMesh, 0, choice.expected_vertices, "the thesis's schedule starts from any mesh"};
     if (!fit) result.report.warnings.push_back(choice.reason + ": started from scratch");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/message_text.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/mesh_sides.h"
 
@@ -45,7 +46,8 @@ void check_points(const Mesh& mesh) {
       throw GeometryError("point " + std::to_string(i) + " has a coordinate that is not finite", {i});
     }
     if (std::max(std::abs(p.x), std::abs(p.y)) > max_coordinate)
-      throw InputError("point " + std::to_string(i) + " has a coordinate beyond 1e75: scale the mesh");
+      throw InputError("point " + std::to_string(i) + " has a coordinate beyond " + text(max_coordinate) +
+                       ": scale the mesh");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/message_text.h"
 #include "mesher/index.h"
 
@@ -23,15 +24,14 @@ std::vector<std::string> missing_segments(const Mesh& mesh, const Domain& domain
 }
 
 std::vector<std::string> missing_points(const Mesh& mesh, const Domain& domain) {
-  std::vector<bool> is_end(domain.points.size(), false);
-  for (const Segment& s : domain.segments) is_end[at(s.a)] = is_end[at(s.b)] = true;
-  if (std::ranges::all_of(is_end, [](bool b) { return b; })) return {};
+  const std::vector<int> isolated = isolated_points(domain);
+  if (isolated.empty()) return {};
   std::vector<Point> vertices = mesh.points;
   std::ranges::sort(vertices, comes_before);
   std::vector<std::string> missing;
-  for (std::size_t p = 0; p < is_end.size(); ++p)
-    if (!is_end[p] && !std::ranges::binary_search(vertices, domain.points[p], comes_before))
-      missing.push_back("the point " + text(domain.points[p]));
+  for (const int p : isolated)
+    if (!std::ranges::binary_search(vertices, domain.points[at(p)], comes_before))
+      missing.push_back("the point " + text(domain.points[at(p)]));
   return missing;
 }
 

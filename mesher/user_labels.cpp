@@ -1,7 +1,6 @@
 #include "mesher/user_labels.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -12,15 +11,6 @@
 
 namespace parmesan {
 namespace {
-
-/// Does the edge of a mesh lead against the direction of its segment?
-bool is_against(const Mesh& mesh, const std::array<int, 2>& edge, const Domain& domain, const Segment& segment) {
-  if (!segment.is_straight())
-    return parameter_on(domain, segment, mesh.points[at(edge[1])]) <
-           parameter_on(domain, segment, mesh.points[at(edge[0])]);
-  const Vector along = domain.points[at(segment.b)] - domain.points[at(segment.a)];
-  return dot(mesh.points[at(edge[1])] - mesh.points[at(edge[0])], along) < 0.0;
-}
 
 bool has_cracks(const Domain& domain) {
   return std::ranges::any_of(domain.segments, [](const Segment& s) { return s.label_right.has_value(); });
@@ -48,7 +38,8 @@ OpenedMesh with_user_labels(Mesh mesh, const Domain& domain) {
     const Segment& segment = domain.segments[at(mesh.labels[e])];
     mesh.labels[e] = segment.label;
     right_labels[e] = segment.label_right;
-    if (segment.label_right && is_against(mesh, mesh.edges[e], domain, segment))
+    const auto& [from, to] = mesh.edges[e];
+    if (segment.label_right && is_against(domain, segment, mesh.points[at(from)], mesh.points[at(to)]))
       std::swap(mesh.labels[e], *right_labels[e]);
   }
   mesh.label_names = domain.label_names;

@@ -36,6 +36,12 @@ double parameter_on(const Domain& domain, const Segment& segment, const Point& p
   return dot(p - a, b - a) / squared_norm(b - a);
 }
 
+bool is_against(const Domain& domain, const Segment& segment, const Point& from, const Point& to) {
+  if (!segment.is_straight()) return parameter_on(domain, segment, to) < parameter_on(domain, segment, from);
+  const Vector along = domain.points[at(segment.b)] - domain.points[at(segment.a)];
+  return dot(to - from, along) < 0.0;
+}
+
 Vector direction_from(const Domain& domain, const Segment& segment, int end) {
   if (segment.is_straight()) return point(domain, segment.a == end ? segment.b : segment.a) - point(domain, end);
   const Curve& curve = curve_of(domain, segment);

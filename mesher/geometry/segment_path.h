@@ -18,6 +18,9 @@ Vector derivative_on(const Domain& domain, const Segment& segment, double t);
 /// The parameter of the point of the segment that is nearest to p; on a straight one also beyond the ends.
 double parameter_on(const Domain& domain, const Segment& segment, const Point& p);
 
+/// Does it lead against the direction of the segment, from one of its points to another?
+bool is_against(const Domain& domain, const Segment& segment, const Point& from, const Point& to);
+
 /// The direction in which a segment leaves one of its ends; of any length.
 Vector direction_from(const Domain& domain, const Segment& segment, int end);
 

@@ -10,6 +10,7 @@
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/hilbert.h"
+#include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_path.h"
@@ -87,11 +88,8 @@ Sampler::Sampler(const Domain& domain, const Outline& outline, double fraction, 
       least_h_min_(
           std::min(h_max, std::max(1e3 * rounding_of(domain_.points), 1e-10 * bounding_diagonal(domain_.points)))),
       h_min_(least_h_min_) {
-  std::vector<char> is_end(domain_.points.size(), 0);
-  for (const Segment& s : domain_.segments) is_end[at(s.a)] = is_end[at(s.b)] = 1;
   std::vector<Point> isolated;
-  for (std::size_t i = 0; i < is_end.size(); ++i)
-    if (is_end[i] == 0) isolated.push_back(domain_.points[i]);
+  for (const int p : isolated_points(domain_)) isolated.push_back(domain_.points[at(p)]);
   for (const int i : hilbert_order(isolated)) isolated_.push_back(isolated[at(i)]);
   isolated_tree_ = BoxTree(isolated_.size(), [this](std::size_t i) {
     return BoxTree::Box{isolated_[i], isolated_[i]};

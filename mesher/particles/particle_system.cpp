@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mesher/geometry/isolated_points.h"
 #include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 
@@ -46,12 +47,8 @@ void ParticleSystem::bind_to_segments() {
 
 // Domain points that no segment ends at are recognised among the vertices by their coordinates.
 void ParticleSystem::fix_isolated_points() {
-  std::vector<bool> on_segment(domain_->points.size(), false);
-  for (const Segment& s : domain_->segments)
-    on_segment[static_cast<std::size_t>(s.a)] = on_segment[static_cast<std::size_t>(s.b)] = true;
   std::vector<Point> isolated;
-  for (std::size_t i = 0; i < on_segment.size(); ++i)
-    if (!on_segment[i]) isolated.push_back(domain_->points[i]);
+  for (const int p : isolated_points(*domain_)) isolated.push_back(domain_->points[static_cast<std::size_t>(p)]);
   if (isolated.empty()) return;
   std::sort(isolated.begin(), isolated.end(), comes_before);
   for (VertexId v = 0; v < mesh_.num_slots(); ++v) {

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mesher/edge_finder.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 
@@ -119,39 +120,29 @@ class RegionsBeside {
   using Sides = std::array<std::optional<int>, 2>;  // left and right of a segment; none: outside
 
   /// Of a mesh whose edges are labelled with segments.
-  RegionsBeside(const Mesh& mesh, const Domain& domain) : mesh_(mesh), sides_(domain.segments.size()) {
-    std::vector<char> is_on_edge(mesh.points.size(), 0);
-    for (int e = 0; e < mesh.num_edges(); ++e) {
-      const auto& [a, b] = mesh.edges[at(e)];
-      is_on_edge[at(a)] = is_on_edge[at(b)] = 1;
-      edge_between_[std::minmax(a, b)] = e;
-      const Segment& segment = domain.segments[at(mesh.labels[at(e)])];
-      const double from = parameter_on(domain, segment, mesh.points[at(a)]);
-      goes_along_.push_back(from < parameter_on(domain, segment, mesh.points[at(b)]) ? 1 : 0);
-    }
+  RegionsBeside(const Mesh& mesh, const Domain& domain)
+      : mesh_(mesh), domain_(domain), finder_(mesh.edges, mesh.points.size()), sides_(domain.segments.size()) {
     for (int t = 0; t < mesh.num_triangles(); ++t) {
       const auto& corners = mesh.triangles[at(t)];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int from = corners[k], to = corners[(k + 1) % 3];
-        if (is_on_edge[at(from)] != 0 && is_on_edge[at(to)] != 0) note(from, to, mesh.regions[at(t)]);
-      }
+      for (std::size_t k = 0; k < 3; ++k) note(corners[k], corners[(k + 1) % 3], mesh.regions[at(t)]);
     }
   }
 
   const std::vector<Sides>& all() const { return sides_; }
 
  private:
+  // The region lies to the left of the side.
   void note(int from, int to, int region) {
-    const auto found = edge_between_.find(std::minmax(from, to));
-    if (found == edge_between_.end()) return;
-    const int e = found->second;
-    const bool is_left = (mesh_.edges[at(e)][0] == from) == (goes_along_[at(e)] != 0);
-    sides_[at(mesh_.labels[at(e)])][is_left ? 0 : 1] = region;
+    const int edge = finder_.find(from, to);
+    if (edge < 0) return;
+    const int s = mesh_.labels[at(edge)];
+    const bool is_right = is_against(domain_, domain_.segments[at(s)], mesh_.points[at(from)], mesh_.points[at(to)]);
+    sides_[at(s)][is_right ? 1 : 0] = region;
   }
 
   const Mesh& mesh_;
-  std::map<std::pair<int, int>, int> edge_between_;
-  std::vector<char> goes_along_;  // its segment, each edge
+  const Domain& domain_;
+  EdgeFinder finder_;
   std::vector<Sides> sides_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesher/edge_finder.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/index.h"
 #include "mesher/triangulation/neighbors.h"
@@ -45,37 +46,36 @@ Children children_of(const Corners& corners, const Corners& middle) {
   return children;
 }
 
+/// Of the edges with these numbers.
+EdgeFinder finder_of(const Mesh& mesh, const std::vector<int>& numbers) {
+  std::vector<std::array<int, 2>> edges;
+  edges.reserve(numbers.size());
+  for (const int e : numbers) edges.push_back(mesh.edges[at(e)]);
+  return {edges, mesh.points.size()};
+}
+
+std::vector<int> edges_of(std::span<const EdgeMiddle> middles) {
+  std::vector<int> numbers;
+  numbers.reserve(middles.size());
+  for (const EdgeMiddle& m : middles) numbers.push_back(m.edge);
+  return numbers;
+}
+
 /// Where sides are cut: in the middle, or where it is said of the edge that they are.
 class Middles {
  public:
-  Middles(const Mesh& mesh, std::span<const EdgeMiddle> of_edges) : mesh_(mesh), special_(mesh.points.size(), false) {
-    for (const EdgeMiddle& m : of_edges) {
-      const auto [low, high] = std::minmax(mesh.edges[at(m.edge)][0], mesh.edges[at(m.edge)][1]);
-      special_[at(low)] = special_[at(high)] = true;
-      sides_.push_back({low, high, m.place});
-    }
-    std::sort(sides_.begin(), sides_.end(), comes_first);
-  }
+  Middles(const Mesh& mesh, std::span<const EdgeMiddle> of_edges)
+      : mesh_(mesh), of_edges_(of_edges), finder_(finder_of(mesh, edges_of(of_edges))) {}
 
   Point of(int a, int b) const {
-    const Point middle = midpoint(mesh_.points[at(a)], mesh_.points[at(b)]);
-    if (!special_[at(a)] || !special_[at(b)]) return middle;
-    const Side side{std::min(a, b), std::max(a, b), middle};
-    const auto found = std::lower_bound(sides_.begin(), sides_.end(), side, comes_first);
-    return found != sides_.end() && !comes_first(side, *found) ? found->middle : middle;
+    const int found = finder_.find(a, b);
+    return found >= 0 ? of_edges_[at(found)].place : midpoint(mesh_.points[at(a)], mesh_.points[at(b)]);
   }
 
  private:
-  struct Side {
-    int low;
-    int high;
-    Point middle;
-  };
-  static bool comes_first(const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; }
-
   const Mesh& mesh_;
-  std::vector<bool> special_;  // vertices of the edges below
-  std::vector<Side> sides_;
+  std::span<const EdgeMiddle> of_edges_;
+  EdgeFinder finder_;
 };
 
 /// Which sides are left whole: required edges, and the sides of triangles that their sides' middles would turn over or
@@ -83,9 +83,11 @@ class Middles {
 class Rounding {
  public:
   Rounding(const Mesh& mesh, const std::vector<Corners>& neighbors, const Middles& middles)
-      : mesh_(mesh), neighbors_(neighbors), middles_(middles), whole_(mesh.triangles.size(), false) {
-    for (const int e : mesh.required.edges) required_.push_back(ends_of(mesh.edges[at(e)][0], mesh.edges[at(e)][1]));
-    std::sort(required_.begin(), required_.end());
+      : mesh_(mesh),
+        neighbors_(neighbors),
+        middles_(middles),
+        whole_(mesh.triangles.size(), false),
+        required_(finder_of(mesh, mesh.required.edges)) {
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t t = 0; t < whole_.size(); ++t) {
@@ -101,19 +103,10 @@ class Rounding {
   }
 
  private:
-  const Mesh& mesh_;
-  static std::array<int, 2> ends_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
   bool is_required(std::size_t t, std::size_t k) const {
-    if (required_.empty()) return false;
     const Corners& corners = mesh_.triangles[t];
-    return std::binary_search(required_.begin(), required_.end(), ends_of(corners[(k + 1) % 3], corners[(k + 2) % 3]));
+    return required_.find(corners[(k + 1) % 3], corners[(k + 2) % 3]) >= 0;
   }
-
-  const std::vector<Corners>& neighbors_;
-  const Middles& middles_;
-  std::vector<bool> whole_;
-  std::vector<std::array<int, 2>> required_;  // ends of required edges, sorted
 
   bool spoils(std::size_t t) const {
     std::array<Point, 6> points;  // the corners, then the midpoints of the opposite sides
@@ -129,6 +122,12 @@ class Rounding {
     };
     return !std::all_of(children.triangles.begin(), children.triangles.begin() + children.count, is_positive);
   }
+
+  const Mesh& mesh_;
+  const std::vector<Corners>& neighbors_;
+  const Middles& middles_;
+  std::vector<bool> whole_;
+  EdgeFinder required_;
 };
 
 // The new vertex on the side opposite to each corner of each triangle, -1 where there is none; appends the points.

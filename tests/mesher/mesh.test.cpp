@@ -151,7 +151,7 @@ TEST_CASE("validate refuses coordinates whose products could overflow", "[mesher
   for (Point& p : mesh.points) p = max_coordinate * p;
   CHECK_NOTHROW(validate(mesh));
   for (Point& p : mesh.points) p = 2.0 * p;
-  CHECK_THROWS_WITH(validate(mesh), Contains("point 1 has a coordinate beyond 1e75"));
+  CHECK_THROWS_WITH(validate(mesh), Contains("point 1 has a coordinate beyond 1e+75"));
 }
 
 TEST_CASE("validate refuses numbers of regions that stand for none", "[mesher]") {

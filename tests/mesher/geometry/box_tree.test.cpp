@@ -8,6 +8,14 @@
 
 using namespace parmesan;
 
+namespace {
+
+BoxTree tree_of(const std::vector<Point>& points) {
+  return {points.size(), [&points](std::size_t i) { return BoxTree::Box{points[i], points[i]}; }};
+}
+
+}  // namespace
+
 TEST_CASE("A box tree finds the nearest of all, of equal ones the first", "[mesher][geometry]") {
   std::mt19937_64 random(7);
   const bool on_a_grid = GENERATE(false, true);  // where many are equally near
@@ -19,11 +27,7 @@ TEST_CASE("A box tree finds the nearest of all, of equal ones the first", "[mesh
     std::sort(points.begin(), points.end(), [](const Point& p, const Point& q) {  // in columns: numbered locally
       return std::floor(p.x) != std::floor(q.x) ? p.x < q.x : p.y < q.y;
     });
-    const BoxTree tree(n, [&](std::size_t i) {
-      BoxTree::Box box;
-      box.add(points[i]);
-      return box;
-    });
+    const BoxTree tree = tree_of(points);
     for (int trial = 0; trial < 50; ++trial) {
       const Point p{12.0 * any(random) - 2.0, 12.0 * any(random) - 2.0};
       const auto distance = [&](std::size_t i) { return squared_norm(points[i] - p); };
@@ -50,11 +54,7 @@ TEST_CASE("A box tree visits what is near a place, in order, and little else", "
       const double angle = 40.0 * static_cast<double>(i) / static_cast<double>(n);
       points.push_back({angle * std::cos(angle), angle * std::sin(angle)});
     }
-    const BoxTree tree(n, [&](std::size_t i) {
-      BoxTree::Box box;
-      box.add(points[i]);
-      return box;
-    });
+    const BoxTree tree = tree_of(points);
     for (int trial = 0; trial < 20; ++trial) {
       const Point p{80.0 * any(random) - 40.0, 80.0 * any(random) - 40.0};
       const double radius2 = 9.0;
