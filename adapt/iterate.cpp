@@ -14,6 +14,7 @@
 #include "fem/dual.h"
 #include "fem/functionals.h"
 #include "fem/galerkin_error.h"
+#include "mesher/arc_heights.h"
 #include "mesher/cracks.h"
 #include "mesher/generate_around.h"
 #include "mesher/geometry/bounding_diagonal.h"
@@ -98,7 +99,7 @@ void solve_on(const Mesh& mesh, const Case& input, const Iterate* previous, Iter
   Stopwatch watch;
   std::vector<double> guess;
   if (previous) guess = transfer(previous->mesh, previous->values, iterate.mesh);
-  DiscreteProblem discrete(mesh, input.problem);
+  DiscreteProblem discrete(mesh, input.problem, {}, arc_heights(iterate.mesh, input.domain));
   Solution solution = solve(discrete, guess);
   require_range(solution.values);
   iterate.seconds.solve = watch.seconds();

@@ -66,10 +66,13 @@ std::vector<Side> labelled_sides(const Mesh& mesh) {
       if (edge == edges.end()) continue;
       const std::size_t e = edge->second;
       const int other_region = found[e] > 0 ? sides[e].region : mesh.regions[t];
+      const int other_triangle = found[e] > 0 ? sides[e].triangle : -1;
       sides[e].other_region = mesh.regions[t];
+      sides[e].other_triangle = static_cast<int>(t);
       if (found[e] == 0 || mesh.edges[e][0] == from) {
         sides[e] = make_side(mesh, e, from, to, t);
         sides[e].other_region = other_region;
+        sides[e].other_triangle = other_triangle;
       }
       sides[e].interior = ++found[e] > 1;
     }

@@ -44,8 +44,7 @@ CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double
   Eigen::Map<Eigen::VectorXd> w(result.values.data(), mass.size());
   for (bool done = false; !done;) {
     const std::vector<double> u = discrete.parts.spread(result.values);
-    const std::vector<Surplus> surplus = surpluses(parts, u, recover_gradients(parts, u));
-    std::optional<NodalCorrection> step = nodal_correction(discrete, result.values, surplus);
+    std::optional<NodalCorrection> step = nodal_correction(discrete, result.values, recover_gradients(parts, u));
     ++result.steps;
     result.change = std::numeric_limits<double>::infinity();
     if (!step) break;

@@ -4,19 +4,22 @@ namespace parmesan {
 
 namespace {
 
-std::vector<Side> checked_sides(const Mesh& mesh, const Problem& problem) {
+std::vector<Side> checked_sides(const Mesh& mesh, const Problem& problem, std::span<const double> arc_heights) {
   if (mesh.triangles.empty()) throw GeometryError("the mesh has no triangle");
   std::vector<Side> sides = labelled_sides(mesh);
   check_conditions(mesh, problem, sides);
+  for (std::size_t e = 0; e < arc_heights.size(); ++e)
+    sides[e].arc_height = mesh.edges[e][0] == sides[e].from ? arc_heights[e] : -arc_heights[e];
   return sides;
 }
 
 }  // namespace
 
-DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, std::span<const double> crosswind)
+DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, std::span<const double> crosswind,
+                                 std::span<const double> arc_heights)
     : mesh(the_mesh),
       problem(the_problem),
-      sides(checked_sides(mesh, problem)),
+      sides(checked_sides(mesh, problem, arc_heights)),
       parts(mesh, problem, sides),
       system(assemble_with_conditions(mesh, problem, sides, crosswind)),
       fixed(dirichlet_values(mesh, problem, sides)),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fem/arc_defect.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/quadrature.h"
@@ -105,13 +106,15 @@ void remove_means(const DiscreteProblem& discrete, const Eigen::Map<const Eigen:
 }  // namespace
 
 std::optional<NodalCorrection> nodal_correction(DiscreteProblem& discrete, std::span<const double> values,
-                                                std::span<const Surplus> surplus) {
-  NodalCorrection result{.values = {}, .residual = {}, .surplus = {surplus.begin(), surplus.end()}};
+                                                std::span<const Vector> gradients) {
+  const std::vector<Surplus> surplus = surpluses(discrete.parts.mesh(), discrete.parts.spread(values), gradients);
+  NodalCorrection result{.values = {}, .residual = {}, .surplus = surplus};
   LocalSolution& local = discrete.local_solution();
   const std::optional<LocalCorrection> patch = local.empty() ? std::nullopt : local.correct(values, surplus);
   if (patch)
     for (const int t : local.triangles()) result.surplus[static_cast<std::size_t>(t)] = {};
   Eigen::VectorXd load = defect(discrete, values, result.surplus);
+  load -= arc_defect(discrete, values, surplus, gradients);
   if (patch) insert(*patch, local, load, result.surplus);
   remove_imbalance(discrete.null_space, discrete.system, load);
   std::optional<std::vector<double>> e = discrete.equations.approximate(load);
