@@ -12,6 +12,7 @@
 #include "adapt/influence.h"
 #include "adapt/loop_warnings.h"
 #include "adapt/measure.h"
+#include "adapt/number_text.h"
 #include "adapt/second_derivatives.h"
 #include "adapt/stopwatch.h"
 #include "adapt/targets.h"
@@ -115,6 +116,11 @@ class Loop {
     double asked = static_cast<double>(case_.initial_vertices);
     if (goal_.cap) asked = std::min(asked, *goal_.cap);
     if (goal_.vertices) asked = std::min(asked, *goal_.vertices);
+    if (asked < static_cast<double>(case_.initial_vertices) && case_.initial_vertices > Case{}.initial_vertices) {
+      state_.summary.warnings.push_back("the first mesh was asked for " + short_number(asked, 10) +
+                                        " vertices, not the " + std::to_string(case_.initial_vertices) +
+                                        " of 'initial': 'targets' allow no more");
+    }
     state_.asked = asked;
     state_.last = uniform_iterate(case_, asked);
     if (case_.continuation > 1.0) {

@@ -43,6 +43,11 @@ Json parse_json(const std::string& text, const std::string& file) {
   return {};
 }
 
+std::string given_twice(LineColumn second) {
+  return "the key is given twice; the second time in line " + std::to_string(second.line) + ", column " +
+         std::to_string(second.column);
+}
+
 /// VALUE as JSON where it is, else as the text itself.
 std::optional<Json> override_value(const std::string& text) {
   if (find_excess(text)) return std::nullopt;
@@ -77,6 +82,11 @@ void apply_override(const Override& entry, CaseDocument& document, CaseIssues& i
   std::optional<Json> value = override_value(entry.value);
   if (!value || steps->size() > static_cast<std::size_t>(kMaxCaseDepth))
     return issues.add(entry.pointer, value ? too_deep() : find_excess(entry.value)->problem);
+  if (value->is_structured()) {
+    for (const DuplicateKey& duplicate : find_duplicate_keys(entry.value, CaseIssues::kMost))
+      issues.add(entry.pointer + duplicate.pointer,
+                 given_twice(line_column(entry.value, duplicate.offset)) + " of the value");
+  }
   Json* place = &document.root;
   for (const std::string& step : *steps) {
     place = child(*place, step);
@@ -120,9 +130,7 @@ CaseDocument load_document(const std::string& text, const std::string& file, con
   CaseDocument document{file, text, parse_json(text, file), {}};
   if (!document.root.is_object()) refuse(file, {1, 1}, "a case is an object { }");
   for (const DuplicateKey& duplicate : find_duplicate_keys(text, CaseIssues::kMost)) {
-    const LineColumn at = line_column(text, duplicate.offset);
-    issues.add(duplicate.pointer, "the key is given twice; the second time in line " + std::to_string(at.line) +
-                                      ", column " + std::to_string(at.column));
+    issues.add(duplicate.pointer, given_twice(line_column(text, duplicate.offset)));
   }
   for (const Override& entry : overrides) apply_override(entry, document, issues);
   return document;

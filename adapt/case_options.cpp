@@ -221,19 +221,27 @@ void read_initial(CaseReading& reading, const Json& section, Case& result) {
                        "is for the diffusion of a problem, and an interpolated function has none");
 }
 
+/// Limits on the field with this path; value: { "min": a, "max": b }.
+Expectation read_limits(CaseReading& reading, const std::string& pointer, std::vector<std::string> path,
+                        const Json& value) {
+  Expectation limits{std::move(path), optional_number(value, "min"), optional_number(value, "max"), std::nullopt};
+  if (limits.min && limits.max && *limits.min > *limits.max)
+    reading.issues.add(pointer + "/min", "must not be larger than 'max'");
+  return limits;
+}
+
 /// Limits on the members of "functionals" or "fluxes", which group is; known: the names that there are.
 void read_group(CaseReading& reading, const std::string& group, const Json& section,
                 const std::vector<std::string>& known, Case& result) {
   for (const auto& [name, value] : section.items()) {
     if (name.starts_with("x-")) continue;
+    const std::string pointer = "/expect/" + group + pointer_step(name);
     if (std::ranges::find(known, name) == known.end()) {
       const std::string hint = suggestion(name, known);
-      reading.issues.add("/expect/" + group + pointer_step(name), "'" + name.substr(0, 60) + "' is none of the " +
-                                                                      group + (hint.empty() ? "." : hint) +
-                                                                      " There are: " + quoted_list(known));
+      reading.issues.add(pointer, "'" + name.substr(0, 60) + "' is none of the " + group + (hint.empty() ? "." : hint) +
+                                      " There are: " + quoted_list(known));
     }
-    result.expect.push_back(
-        {{group, name}, optional_number(value, "min"), optional_number(value, "max"), std::nullopt});
+    result.expect.push_back(read_limits(reading, pointer, {group, name}, value));
   }
 }
 
@@ -269,17 +277,15 @@ void read_expectations(CaseReading& reading, const Json& section, Case& result) 
       read_group(reading, name, value, flux_names(result), result);
       continue;
     }
-    Expectation expectation{split_at_dots(name), std::nullopt, std::nullopt, std::nullopt};
+    const std::string pointer = "/expect/" + name;
     const bool is_flag = name == "targets_met";
     if (value.is_boolean() != is_flag) {
-      reading.issues.add("/expect/" + name, is_flag ? "must be true or false" : "must be { \"min\": a, \"max\": b }");
+      reading.issues.add(pointer, is_flag ? "must be true or false" : "must be { \"min\": a, \"max\": b }");
     } else if (is_flag) {
-      expectation.equals = value.get<bool>();
+      result.expect.push_back({{name}, std::nullopt, std::nullopt, value.get<bool>()});
     } else {
-      expectation.min = optional_number(value, "min");
-      expectation.max = optional_number(value, "max");
+      result.expect.push_back(read_limits(reading, pointer, split_at_dots(name), value));
     }
-    result.expect.push_back(expectation);
   }
 }
 

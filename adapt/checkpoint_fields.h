@@ -85,7 +85,7 @@ void fields(Archive& archive, InterpolationLimit& l) {
 
 template <class Archive>
 void fields(Archive& archive, ErrorNorms& e) {
-  archive(e.l1, e.l2, e.linf, e.h1, e.num_nonfinite);
+  archive(e.l1, e.l2, e.linf, e.h1, e.num_nonfinite, e.l2_doubt);
 }
 
 template <class Archive>

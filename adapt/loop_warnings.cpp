@@ -89,6 +89,18 @@ std::optional<std::string> of_nonfinite(const IterationRow& last) {
          " quadrature points of the last mesh; the errors leave them out";
 }
 
+// Of an exact function whose square has no integral, as of 1 / x, or one that quadrature does not come to. Functions
+// with layers and kinks: 0.001 at most.
+std::optional<std::string> of_uncertain(const IterationRow& last) {
+  constexpr double much = 0.01;
+  double doubt = 0.0;
+  for (const std::optional<ErrorNorms>& error : {last.solution_error, last.interpolation_error})
+    if (error) doubt = std::max(doubt, error->l2_doubt);
+  if (!(doubt > much)) return std::nullopt;
+  return "the L2 error cannot be told: quadrature rules disagree on " + short_number(100.0 * std::min(doubt, 1.0), 3) +
+         " % of its square; the square of the exact function may have no integral";
+}
+
 // Where errors are but estimated: residuals far above the recovered gradient's estimate. On meshes that resolve the
 // data they are 0.7 to 1 of it.
 std::optional<std::string> of_unresolved(const IterationRow& last) {
@@ -158,7 +170,9 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   add(of_constants(last));
   add(of_nonfinite(last));
   add(of_unresolved(last));
-  add(of_contradiction(last));
+  const std::optional<std::string> uncertain = of_uncertain(last);
+  add(uncertain);
+  if (!uncertain) add(of_contradiction(last));
   add(of_correction(last));
   add(of_capturing(last));
   return warnings;

@@ -11,9 +11,9 @@ namespace parmesan {
 
 /// What a user should know of the last mesh, of which they get the files: a size that was not hit, and which limits
 /// keep it away, and where; edges and triangles that do not fit the metric; a constant that the data leave free; an
-/// exact function that is infinite inside; data that the mesh may not resolve; steps that do not converge. aimed: the
-/// number of vertices, where nothing else is aimed at. limits_bind: no mesh of the size that the loop asked for keeps
-/// the size limits. reason: why the loop ended.
+/// exact function that is infinite inside, or of no L2 norm; data that the mesh may not resolve; steps that do not
+/// converge. aimed: the number of vertices, where nothing else is aimed at. limits_bind: no mesh of the size that the
+/// loop asked for keeps the size limits. reason: why the loop ended.
 std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed, bool limits_bind,
                                           StopReason reason);
 

@@ -30,6 +30,8 @@ struct Integrals {
   double h1 = 0.0;
   double largest = 0.0;
   long nonfinite = 0;
+  double l2_doubt = 0.0;  // by how much rules disagree on l2 where it is not confirmed
+  double h1_doubt = 0.0;
 
   void add(const Integrals& other) {
     l1 += other.l1;
@@ -37,6 +39,8 @@ struct Integrals {
     h1 += other.h1;
     largest = std::max(largest, other.largest);
     nonfinite += other.nonfinite;
+    l2_doubt += other.l2_doubt;
+    h1_doubt += other.h1_doubt;
   }
 };
 
@@ -90,12 +94,10 @@ class ElementError {
   const ExactFunction& exact_;
 };
 
-/// Integrals over a part, whether two rules agree on them, and by how much they do not.
+/// Integrals over a part, and whether two rules agree on them.
 struct Estimate {
   Integrals integrals;
   bool confirmed = false;
-  double l2_doubt = 0.0;
-  double h1_doubt = 0.0;
 };
 
 /// Rules of rising degree, until two agree on the integrals of e^2 and |grad e|^2.
@@ -112,9 +114,11 @@ class CheckedQuadrature {
     const Integrals degree4 = error.integrate(corners, area, degree4_rule());
     const Integrals degree6 = error.integrate(corners, area, degree6_rule());
     if (skip_degree10_ && agree(degree4, degree6, 0.1 * share)) return {degree6, true};
-    const Integrals degree10 = error.integrate(corners, area, degree10_rule_);
-    return {degree10, agree(degree6, degree10, share), std::abs(degree6.l2 - degree10.l2),
-            std::abs(degree6.h1 - degree10.h1)};
+    Integrals degree10 = error.integrate(corners, area, degree10_rule_);
+    if (agree(degree6, degree10, share)) return {degree10, true};
+    degree10.l2_doubt = std::abs(degree6.l2 - degree10.l2);
+    degree10.h1_doubt = std::abs(degree6.h1 - degree10.h1);
+    return {degree10, false};
   }
 
  private:
@@ -138,13 +142,8 @@ struct OpenTriangle {
 
 /// Whether all that is open is too little to matter.
 bool is_negligible(const std::vector<OpenTriangle>& open, Integrals sum) {
-  double l2_doubt = 0.0, h1_doubt = 0.0;
-  for (const OpenTriangle& part : open) {
-    sum.add(part.estimate.integrals);
-    l2_doubt += part.estimate.l2_doubt;
-    h1_doubt += part.estimate.h1_doubt;
-  }
-  return l2_doubt <= MaxDoubt * sum.l2 && h1_doubt <= MaxDoubt * sum.h1;
+  for (const OpenTriangle& part : open) sum.add(part.estimate.integrals);
+  return sum.l2_doubt <= MaxDoubt * sum.l2 && sum.h1_doubt <= MaxDoubt * sum.h1;
 }
 
 /// The triangles in which the error was seen to be largest.
@@ -241,7 +240,12 @@ ErrorNorms error_norms(const Mesh& mesh, std::span<const double> values, const E
   const CheckedQuadrature quadrature(error.mean(), mesh.num_triangles() > SkipDegree10Above);
   const Integrals sum = error.integrate(quadrature);
   const double h1 = exact.gradient ? std::sqrt(sum.h1) : std::numeric_limits<double>::quiet_NaN();
-  return {.l1 = sum.l1, .l2 = std::sqrt(sum.l2), .linf = sum.largest, .h1 = h1, .num_nonfinite = sum.nonfinite};
+  return {.l1 = sum.l1,
+          .l2 = std::sqrt(sum.l2),
+          .linf = sum.largest,
+          .h1 = h1,
+          .num_nonfinite = sum.nonfinite,
+          .l2_doubt = sum.l2_doubt > 0.0 ? sum.l2_doubt / sum.l2 : 0.0};
 }
 
 }  // namespace parmesan

@@ -21,6 +21,7 @@ struct ErrorNorms {
   double linf = 0.0;
   double h1 = 0.0;
   long num_nonfinite = 0;  // quadrature points where the exact function was not finite
+  double l2_doubt = 0.0;   // share of the square of l2 that quadrature rules do not agree on
 };
 
 /// Nodal values of the P1 interpolant.

@@ -108,4 +108,14 @@ HalfEdges::HalfEdges(const Mesh& mesh)
   });
 }
 
+int num_boundary_sides(const Mesh& mesh) {
+  const HalfEdges half_edges(mesh);
+  int num_shared = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const std::span<const HalfEdge> sides = half_edges.at(v);
+    for (std::size_t i = 1; i < sides.size(); ++i) num_shared += sides[i - 1].high == sides[i].high ? 1 : 0;
+  }
+  return 3 * mesh.num_triangles() - 2 * num_shared;
+}
+
 }  // namespace parmesan

@@ -40,4 +40,7 @@ class HalfEdges {
   std::unique_ptr<HalfEdge[]> all_;
 };
 
+/// How many sides only one triangle has, in a mesh in which no side has more than two. Cost: as HalfEdges.
+int num_boundary_sides(const Mesh& mesh);
+
 }  // namespace parmesan

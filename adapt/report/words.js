@@ -50,9 +50,10 @@ function conditionInWords(condition) {
 function problemInWords(problem = {}) {
   if (problem.interpolate !== undefined) return [['Function', plain(problem.interpolate)]];
   const sources = problem.point_sources ?? [];
-  const words = [['Equation', `−div(K grad u) + b·grad u + c u = f${sources.length ? ' + point sources' : ''}`],
-    ['K', plain(problem.diffusion ?? 1)]];
-  if (problem.velocity && plain(problem.velocity) !== '(0, 0)') words.push(['b', plain(problem.velocity)]);
+  const flows = problem.velocity && plain(problem.velocity) !== '(0, 0)';
+  const left = ['−div(K grad u)', flows && 'b·grad u', problem.reaction && 'c u'].filter(Boolean).join(' + ');
+  const words = [['Equation', `${left} = f${sources.length ? ' + point sources' : ''}`], ['K', plain(problem.diffusion ?? 1)]];
+  if (flows) words.push(['b', plain(problem.velocity)]);
   if (problem.reaction) words.push(['c', plain(problem.reaction)]);
   if (problem.source !== undefined || problem.exact === undefined) words.push(['f', plain(problem.source ?? 0)]);
   else words.push(['f', 'derived from the exact solution']);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
-#include <system_error>
+#include <string_view>
 
 #include "mesher/errors.h"
 #include "mesher/io/evolution_page.h"
@@ -16,12 +16,36 @@
 namespace parmesan {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char* list_name = "evolution.pvd";
+constexpr const char* page_name = "index.html";
 constexpr double step_growth = 1.12;
 constexpr double grid = 9999.0;  // coordinates on the page are whole numbers up to this
 
 std::string frame_name(std::size_t i) {
   std::string digits = std::to_string(i);
   return "frame_" + std::string(3 - std::min<std::size_t>(3, digits.size()), '0') + digits + ".vtu";
+}
+
+bool is_frame_name(const std::string& name) {
+  const std::string_view head = "frame_", tail = ".vtu";
+  return name.starts_with(head) && name.ends_with(tail) && name.size() > head.size() + tail.size() &&
+         name.find_first_not_of("0123456789", head.size()) == name.size() - tail.size();
+}
+
+// So that what the user has put into a folder stays, and of an earlier evolution nothing.
+void clear(const std::string& folder) {
+  std::vector<fs::path> earlier;
+  bool is_empty = true;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (is_frame_name(name) || name == page_name) earlier.push_back(entry.path());
+    is_empty = false;
+  }
+  if (!is_empty && !fs::exists(folder + "/" + list_name))
+    throw FileError(folder, 0, "the folder has files of something else than an evolution; name a new one");
+  for (const fs::path& path : earlier) fs::remove(path);
 }
 
 template <class Numbers>
@@ -59,9 +83,13 @@ std::string page_frame(const Mesh& mesh, std::int64_t step) {
 }  // namespace
 
 EvolutionWriter::EvolutionWriter(std::string folder) : folder_(std::move(folder)) {
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error) throw FileError(folder_, 0, "the folder cannot be made: " + error.message());
+  try {
+    fs::create_directories(folder_);
+    clear(folder_);
+  } catch (const fs::filesystem_error& error) {
+    throw FileError(folder_, 0, "the folder cannot be made or cleared: " + error.code().message());
+  }
+  write_pvd(folder_ + "/" + list_name, {});
 }
 
 void EvolutionWriter::see(const ParticleSystem& particles, std::int64_t step) {
@@ -84,8 +112,8 @@ void EvolutionWriter::finish(const Mesh& last) {
   add(last, last_step_);
   std::vector<PvdEntry> entries;
   for (std::size_t i = 0; i < steps_.size(); ++i) entries.push_back({static_cast<double>(steps_[i]), frame_name(i)});
-  write_pvd(folder_ + "/evolution.pvd", entries);
-  OutputFile page(folder_ + "/index.html");
+  write_pvd(folder_ + "/" + list_name, entries);
+  OutputFile page(folder_ + "/" + page_name);
   page << evolution_page_head << frames_ << evolution_page_tail;
   page.commit();
 }

@@ -11,11 +11,12 @@ namespace parmesan {
 
 /// Writes how a mesh came to be: frames for ParaView and a page that plays them.
 ///
-/// The folder, which is made if it is not there, gets frame_000.vtu, ..., evolution.pvd and index.html. The page is
-/// self-contained. Frames are taken at steps that grow by a factor, so that a run has about a hundred, and at the end.
+/// The folder, which is made if it is not there, gets frame_000.vtu, ..., evolution.pvd and index.html, in place of
+/// those of an earlier evolution, by whose list it is known. The page is self-contained. Frames are taken at steps that
+/// grow by a factor, so that a run has about a hundred, and at the end.
 class EvolutionWriter {
  public:
-  /// Errors: FileError when the folder cannot be made.
+  /// Errors: FileError when the folder cannot be made, or has files but no earlier evolution.
   explicit EvolutionWriter(std::string folder);
 
   /// To be given to GenerateOptions::observer; writes a frame where one is due. Errors: FileError.

@@ -14,7 +14,7 @@ namespace parmesan {
 /// Reads a Medit mesh (ASCII .mesh; P. Frey, MEDIT, INRIA RT-0253, 2001).
 ///
 /// Vertices, Edges and Triangles are read with the references of the last two as labels and
-/// regions; other keywords are skipped. The keywords may come in any order, but the first must be
+/// regions; those of vertices and other keywords are skipped. The keywords may come in any order, but the first must be
 /// MeshVersionFormatted and the last End: a file without it counts as cut off. In dimension 3 all
 /// z must be 0. Triangles keep the orientation that they have in the file.
 /// Errors: FileError with the line, also for Quadrilaterals and solids.
@@ -25,7 +25,7 @@ Mesh read_medit(const std::string& path);
 Mesh parse_medit(std::string_view text, const std::string& name);
 
 /// Writes points, edges with labels and triangles with regions so that they read back bit by bit.
-/// Names of labels and regions have no place in the format. Errors: FileError.
+/// Names of labels and regions have no place in the format; the references of vertices are 0. Errors: FileError.
 void write_medit(const std::string& path, const Mesh& mesh);
 
 /// Reads a binary Medit mesh (.meshb, versions 1 to 4, either byte order) as read_medit reads its text.

@@ -92,12 +92,16 @@ Domain read_poly(const std::string& path) {
   return read_after_nodes(in, read_triangle_nodes(node_in));
 }
 
+void check_without_cracks(const std::string& path, const Domain& domain) {
+  for (const Segment& s : domain.segments)
+    if (s.label_right) throw FileError(path, 0, "a .poly file cannot express cracks, which have a label on each side");
+}
+
 void write_poly(const std::string& path, const Domain& domain) {
   if (domain.inside == Inside::EvenOdd) {
     throw FileError(path, 0, "a .poly file cannot express a domain by the even-odd rule: it needs seeds of holes");
   }
-  for (const Segment& s : domain.segments)
-    if (s.label_right) throw FileError(path, 0, "a .poly file cannot express cracks, which have a label on each side");
+  check_without_cracks(path, domain);
   OutputFile out(path);
   out << domain.points.size() << " 2 0 0\n";
   int row = 0;

@@ -20,7 +20,10 @@ Domain read_poly(const std::string& path);
 /// The same from a text that has its vertices within; name is what messages call it.
 Domain parse_poly(std::string_view text, const std::string& name);
 
-/// Errors: FileError, also for a domain by the even-odd rule or with cracks, which .poly cannot express.
+/// Throws FileError for a domain with cracks, which .poly cannot express.
+void check_without_cracks(const std::string& path, const Domain& domain);
+
+/// Errors: FileError, also for a domain by the even-odd rule, which .poly cannot express, or with cracks.
 void write_poly(const std::string& path, const Domain& domain);
 
 /// Reads PATH.node, PATH.ele and, where there is one, PATH.edge, for a path with any suffix.

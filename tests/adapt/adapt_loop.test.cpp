@@ -188,6 +188,18 @@ TEST_CASE("where the largest size asks for more vertices than are aimed at the l
   CHECK_THAT(summary.warnings.front(), Catch::Contains("not the 200 aimed at") && Catch::Contains("h_max at "));
 }
 
+TEST_CASE("a first mesh that is smaller than asked for, because of the targets, is told of", "[adapt][loop]") {
+  const auto is_told = [](std::int64_t start) {
+    Case input = interpolation_case("x^2", R"({"vertices": 200, "max_iterations": 1})");
+    input.initial_vertices = start;
+    return std::ranges::any_of(adapt(input, {}).summary.warnings, [](const std::string& w) {
+      return w.find("for 200 vertices, not the 5000 of 'initial'") != std::string::npos;
+    });
+  };
+  CHECK(is_told(5000));
+  CHECK_FALSE(is_told(Case{}.initial_vertices));  // nobody asked for them
+}
+
 TEST_CASE("a largest size does not keep an error target away", "[adapt][loop]") {
   Case input = interpolation_case("sin(6*x)*y^2", R"({"l2_error": 4e-5, "max_vertices": 20000})");
   input.metric.h_max = 0.05;  // 600 vertices where 100 are asked for first

@@ -75,6 +75,15 @@ TEST_CASE("Repeated keys are refused with both places", "[adapt][case][errors]")
         std::vector<std::string>{"/targets/vertices: the key is given twice; the second time in line 3, column 2"});
 }
 
+TEST_CASE("Repeated keys in what --set gives are refused too", "[adapt][case][errors]") {
+  const std::vector<Override> twice{{"/targets", R"({"vertices": 4, "vertices": 5})"}};
+  CHECK(issues_of(case_text(kZeroBoundary), twice) ==
+        std::vector<std::string>{"/targets/vertices: (from --set) the key is given twice; the second time in line 1, "
+                                 "column 17 of the value"});
+  const std::vector<Override> text{{"/title", R"({"a": 4, "a": 5)"}};  // no JSON
+  CHECK(issues_of(case_text(kZeroBoundary), text).empty());
+}
+
 TEST_CASE("An object has a limited number of names, since each is looked for among the others",
           "[adapt][case][errors]") {
   const auto with_names = [](int count) {
@@ -149,6 +158,11 @@ TEST_CASE("Values of the wrong kind or range are refused, saying what is allowed
   CHECK_THAT(issues_with(R"(, "metric": {"h_min": 2, "h_max": 1})"), Catch::Contains("larger than 'h_max'"));
   CHECK_THAT(issues_with(R"(, "metric": {"recovery": "exact"})"), Catch::Contains("needs the exact solution"));
   CHECK_THAT(issues_with(R"(, "targets": {"vertices": 9, "max_vertices": 8})"), Catch::Contains("larger"));
+  CHECK(issues_with(R"(, "expect": {"efficiency": {"min": 2, "max": 1}})") ==
+        "/expect/efficiency/min: must not be larger than 'max'\n");
+  CHECK(issues_with(R"(, "expect": {"fluxes": {"left": {"min": 1, "max": -1}}})") ==
+        "/expect/fluxes/left/min: must not be larger than 'max'\n");
+  CHECK(issues_with(R"(, "expect": {"efficiency": {"min": 1, "max": 1}})").empty());
   CHECK_THAT(issues_with(R"(, "expect": {"efficency": {"max": 1}})"), Catch::Contains("did you mean 'efficiency'"));
   CHECK_THAT(issues_with(R"(, "expect": {"targets_met": {"max": 1}})"), Catch::Contains("true or false"));
   CHECK_THAT(issues_with(R"(, "expect": {"efficiency": true})"), Catch::Contains("\"max\""));

@@ -183,7 +183,7 @@ async function checkPage(page, name, numPlots) {
   await checkPage(page, 'wells', 4);
   const text = (selector) => page.locator(selector).allInnerTexts().then((all) => all.join('\n'));
   const words = await text('dl');
-  for (const part of ['= f + point sources', '2e-50 at (-0.5, 0.25)', 'rectangle from (-1, -1) to (1, 1)', 'west = (-0.5, 0)', 'label = wall',
+  for (const part of ['−div(K grad u) = f + point sources', '2e-50 at (-0.5, 0.25)', 'rectangle from (-1, -1) to (1, 1)', 'west = (-0.5, 0)', 'label = wall',
     '(0.4, 0.4)', 'west = 3, * = 1', 'discontinuity_capturing = true', 'method = lu', 'mean.west'])
     check(words.includes(part), `wells: the page says ${part}`);
   check(!words.includes('not for the page'), 'wells: notes are left out');

@@ -122,6 +122,19 @@ TEST_CASE("a gradient that is infinite along a line costs a bounded number of po
   CHECK(calls < 8'000'000);
 }
 
+TEST_CASE("an error whose square has no integral is in doubt, one with kinks and jumps is not", "[fem][norms]") {
+  const auto doubt = [](const std::function<double(const Point&)>& u) {
+    const Mesh mesh = rectangle_mesh(8, 8);
+    return error_norms(mesh, std::vector<double>(mesh.points.size(), 0.0), {u, {}}).l2_doubt;
+  };
+  CHECK(doubt([](const Point& p) { return 1.0 / (p.x - 0.503); }) > 0.1);
+  CHECK(doubt([](const Point& p) { return 1.0 / std::hypot(p.x - 0.503, p.y - 0.4); }) > 0.01);
+  CHECK(doubt([](const Point& p) { return p.x > 0.503 ? 1.0 : 0.0; }) <= 1e-3);
+  CHECK(doubt([](const Point& p) { return std::sqrt(std::abs(p.x - 0.503)); }) <= 1e-3);
+  CHECK(doubt([](const Point& p) { return std::log(std::hypot(p.x - 0.503, p.y - 0.4)); }) <= 1e-3);
+  CHECK(doubt([](const Point&) { return 0.0; }) == 0.0);
+}
+
 TEST_CASE("points where the exact function is not finite are counted and left out", "[fem][norms]") {
   const ExactFunction gap{[](const Point& p) { return p.x < 0.5 ? 1.0 : std::sqrt(0.5 - p.x); },
                           [](const Point&) { return Vector{}; }};

@@ -57,3 +57,8 @@ TEST_CASE("half-edges are all sides, sorted by end points and triangle", "[meshe
       found.emplace_back(v, h.high, h.side, goes_up(mesh, h));
   CHECK(found == sides_one_by_one(mesh));
 }
+
+TEST_CASE("a square of n x n cells has 4 n boundary sides", "[mesher]") {
+  const int n = GENERATE(1, 7, 250);
+  CHECK(num_boundary_sides(support::rectangle_mesh(n, n)) == 4 * n);
+}

@@ -53,7 +53,8 @@ TEST_CASE("A mesh with its fields goes through every format and comes back the s
     CAPTURE(name);
     const nlohmann::json quality = quality_of(folder / name);
     CHECK(quality.at("triangles") == 2);
-    CHECK(quality.at("boundary_edges") == 5);
+    CHECK(quality.at("boundary_edges") == 4);
+    CHECK(quality.at("constraint_edges") == 1);
   }
 }
 
@@ -142,4 +143,26 @@ TEST_CASE("convert draws labels with a legend and metrics as ellipses, in every 
   }
   CHECK_THAT(read_file(folder / "a.svg"), Catch::Contains("12345"));
   CHECK(read_file(folder / "a.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("convert refuses options that the format has no use for", "[system][convert][errors]") {
+  struct Idle {
+    std::string name;
+    std::vector<std::string> options;
+  };
+  const Idle idle = GENERATE(values<Idle>({{"o.mesh", {"--binary"}},
+                                           {"o.svg", {"--binary"}},
+                                           {"o.msh", {"--labels"}},
+                                           {"o.mesh", {"--metrics"}},
+                                           {"o.vtu", {"--no-edges"}},
+                                           {"o.poly", {"--width", "500"}}}));
+  const TemporaryFolder folder;
+  std::vector<std::string> words{"convert", folder.write("a.mesh", square_mesh), folder / idle.name};
+  words.insert(words.end(), idle.options.begin(), idle.options.end());
+  const ProgramResult result = run_program(words);
+  INFO(result.err);
+  CHECK(result.exit_code == 2);
+  CHECK_THAT(result.err, Catch::Contains(idle.options.front()));
+  CHECK(read_file(folder / idle.name).empty());
+  CHECK(run_program({"convert", folder / "a.mesh", folder / "b.meshb", "--binary"}).exit_code == 0);  // it is
 }

@@ -171,7 +171,11 @@ TEST_CASE("names reach terminal and tables without formulas and control characte
   CHECK(table.find('\x1b') == std::string::npos);
   // Formats that have names for labels stay readable.
   fs::copy_file(input, folder / "geometry.json");
-  for (const char* name : {"a.msh", "a.vtu", "a.svg", "a.eps", "a.png"}) {
+  for (const char* name : {"a.msh", "a.vtu"}) {
+    INFO(name);
+    CHECK(run_program({"convert", folder / "geometry.json", folder / name}).exit_code == 0);
+  }
+  for (const char* name : {"a.svg", "a.eps", "a.png"}) {
     INFO(name);
     CHECK(run_program({"convert", folder / "geometry.json", folder / name, "--labels"}).exit_code == 0);
   }

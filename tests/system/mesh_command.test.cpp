@@ -482,3 +482,28 @@ TEST_CASE("a side of no length leaves no label behind", "[system][mesh]") {
     "targets": {"vertices": 100}})");
   CHECK(run_program({"check", input}).exit_code == 0);
 }
+
+TEST_CASE("a format that cannot hold the mesh is refused before the first file is written", "[system][mesh][errors]") {
+  const TemporaryFolder folder;
+  const std::string cracked = folder.write("crack.json", R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]},
+      "segments": [{"from": [0.3, 0.5], "to": [0.7, 0.5], "label": "up", "label_right": "down"}]}})");
+  const ProgramResult result =
+      run_program({"mesh", cracked, "--size", "0.3", "-o", folder / "a.mesh", "-o", folder / "a.poly"});
+  CHECK(result.exit_code == 7);
+  CHECK_THAT(result.err, Catch::Contains("a.poly: a .poly file cannot express cracks"));
+  CHECK_FALSE(std::filesystem::exists(folder / "a.mesh"));
+  CHECK(run_program({"mesh", cracked, "--size", "0.3", "-o", folder / "a.mesh"}).exit_code == 0);
+}
+
+TEST_CASE("a seed is said to be idle where no random numbers are drawn", "[system][mesh]") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("square.poly", square_poly);
+  const auto said = [&](const std::string& schedule) {
+    const ProgramResult result = run_program(
+        {"mesh", input, "--size", "0.3", "--schedule", schedule, "--seed", "7", "-o", folder / (schedule + ".mesh")});
+    CHECK(result.exit_code == 0);
+    return result.err;
+  };
+  CHECK_THAT(said("fast"), Catch::Contains("--seed has no effect"));
+  CHECK(said("thesis").find("--seed") == std::string::npos);
+}

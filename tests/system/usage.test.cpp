@@ -34,6 +34,7 @@ TEST_CASE("wrong usage ends with 2 and one message on standard error", "[system]
       std::vector<std::string>{"mesh", "a.poly", "-o", "a.mesh", "--size", "1", "--limit", "vertices=many"},
       std::vector<std::string>{"run", "a.json", "--set", "targets"},
       std::vector<std::string>{"run", "a.json", "--threads", "0"},
+      std::vector<std::string>{"report", "a.out", "-o", "-"}, std::vector<std::string>{"run", "a.json", "-o", "-"},
       std::vector<std::string>{"compare", "a.json", "--sizes", "10,x"});
   const ProgramResult result = run_program(arguments);
   CHECK(result.exit_code == 2);
@@ -65,12 +66,36 @@ TEST_CASE("a wrong name on the command line gets the nearest one, and the list o
       {{"mesh", "a.poly", "--siez=0.1"}, "unknown option '--siez'; did you mean '--size'?"},  // not: --out is missing
       {{"mehs", "a.poly", "-o", "a.mesh"}, "'mehs' is none of 'run', 'compare', 'mesh'"},
       {{"mehs", "a.poly"}, "did you mean 'mesh'?"},
+      {{"--threads", "2", "mesh", "a.poly", "-o", "a.mesh"}, "'--threads' is an option of 'mesh' and comes after it"},
+      {{"-q", "mesh", "a.poly", "-o", "a.mesh"}, "'-q' is an option of 'mesh' and comes after it"},
+      {{"--limit=seconds=9", "run"}, "'--limit' is an option of 'run' and comes after it"},
+      {{"--thraeds=2", "run", "a.json"}, "unknown option '--thraeds'; did you mean '--threads'?"},
       {{"--versoin"}, "unknown option '--versoin'; did you mean '--version'?"},
   }));
   const ProgramResult result = run_program(slip.arguments);
   INFO(result.err);
   CHECK(result.exit_code == 2);
   CHECK_THAT(result.err, Catch::Contains(slip.message));
+}
+
+TEST_CASE("an empty name is refused, not taken for one that is not given", "[system][usage][errors]") {
+  struct Empty {
+    std::vector<std::string> arguments;
+    std::string name;
+  };
+  const Empty empty = GENERATE(values<Empty>({
+      {{"run", "a.json", "--out", ""}, "--out"},
+      {{"compare", "a.json", "-o", ""}, "--out"},
+      {{"report", "a.out", "-o", ""}, "--out"},
+      {{"mesh", "a.poly", "-o", "a.mesh", "--from", ""}, "--from"},
+      {{"mesh", "a.poly", "-o", "a.mesh", "--evolution", ""}, "--evolution"},
+      {{"convert", "", "a.mesh"}, "IN"},
+      {{"check", "a.json", ""}, "CASE"},
+  }));
+  const ProgramResult result = run_program(empty.arguments);
+  INFO(result.err);
+  CHECK(result.exit_code == 2);
+  CHECK_THAT(result.err, Catch::StartsWith("parmesan: error: " + empty.name + ": is empty"));
 }
 
 TEST_CASE("control characters of names do not reach the terminal", "[system][usage][errors]") {

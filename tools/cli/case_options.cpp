@@ -39,6 +39,7 @@ Case read_case(const CaseOptions& options, const CommonOptions& common) {
   }
   if (common.seed) overrides.push_back({"/mesher/seed", std::to_string(*common.seed)});
   Case result = read_case(options.file, overrides);
+  warn_of_idle_seed(common, result.mesher.schedule);
   if (common.verbose) std::cerr << escape_control(description(result)) << std::endl;
   return result;
 }

@@ -128,9 +128,14 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void add_seed_option(CLI::App& command, CommonOptions& options) {
-  command.add_option("--seed", options.seed, "Seed of the random engine; same input, same seed, same bits")
+  command.add_option("--seed", options.seed, "Seed of the random engine, from which only the schedule thesis draws")
       ->option_text("N")
       ->group("Common options");
+}
+
+void warn_of_idle_seed(const CommonOptions& options, Schedule schedule) {
+  if (options.seed && schedule != Schedule::Thesis)
+    print_warning("--seed has no effect: the schedule 'fast' draws no random numbers");
 }
 
 int num_threads() {

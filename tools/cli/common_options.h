@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "mesher/generate.h"
+
 namespace parmesan {
 
 /// Safety limits: set on the command line, never by a case file. 0: none.
@@ -29,6 +31,9 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 
 /// Adds --seed.
 void add_seed_option(CLI::App& command, CommonOptions& options);
+
+/// Says so where a seed is given to a schedule that draws no random numbers.
+void warn_of_idle_seed(const CommonOptions& options, Schedule schedule);
 
 /// Puts the limits of memory and time on this process, and the number of threads.
 /// Past the time limit the process ends with ExitCode::LimitHit.

@@ -32,6 +32,8 @@ bool is_solution(const std::string& path) {
   return suffix == ".sol" || suffix == ".solb";
 }
 
+bool is_field(const ConvertArguments& arguments) { return is_solution(arguments.in) || is_solution(arguments.out); }
+
 Mesh triangulated(const Domain& domain) {
   DelaunayMesh result = delaunay_mesh(domain);
   for (const std::string& repair : result.repairs) print_warning(repair);
@@ -68,19 +70,36 @@ void convert_mesh(const ConvertArguments& arguments) {
   write_any_mesh(arguments.out, data.mesh, data.fields, arguments.write);
 }
 
+/// Options that the format of OUT has no use for. Empty: none.
+std::string idle_option(const ConvertArguments& arguments) {
+  const std::string suffix = file_suffix(arguments.out);
+  const bool is_picture = suffix == ".svg" || suffix == ".eps" || suffix == ".png";
+  const bool is_binary_anyway = suffix == ".meshb" || suffix == ".solb";
+  const WriteOptions& write = arguments.write;
+  if (write.encoding == Encoding::Binary && suffix != ".msh" && !is_binary_anyway)
+    return "--binary is for .msh; .meshb and .solb are the binary .mesh and .sol";
+  const PictureOptions usual;
+  const PictureOptions& picture = write.picture;
+  const bool is_drawn = write.show_metrics || picture.show_labels != usual.show_labels ||
+                        picture.show_edges != usual.show_edges || picture.width_px != usual.width_px;
+  if (is_drawn && !is_picture) return "--labels, --metrics, --no-edges and --width are for pictures: .svg .eps .png";
+  const RepairOptions& repair = arguments.repair;
+  const bool mends = repair.split_crossings || repair.merge_tolerance > 0.0;
+  if (mends && (is_field(arguments) || !is_geometry(arguments)))
+    return "--repair and --merge-tolerance are for geometries, and what becomes a .poly";
+  return "";
+}
+
 ExitCode convert(const ConvertArguments& arguments) {
   apply(arguments.common);
   check_output(arguments.out);
-  const bool is_field = is_solution(arguments.in) || is_solution(arguments.out);
-  if (!is_field) check_any_mesh_name(arguments.out);
-  const RepairOptions& repair = arguments.repair;
-  const bool mends = repair.split_crossings || repair.merge_tolerance > 0.0;
-  if (mends && (is_field || !is_geometry(arguments))) {
-    print_error("--repair and --merge-tolerance are for geometries, and what becomes a .poly");
+  if (!is_field(arguments)) check_any_mesh_name(arguments.out);
+  if (const std::string idle = idle_option(arguments); !idle.empty()) {
+    print_error(idle);
     return ExitCode::Usage;
   }
   naming_file(arguments.in, [&] {
-    if (is_field) return convert_fields(arguments);
+    if (is_field(arguments)) return convert_fields(arguments);
     if (is_geometry(arguments)) return convert_geometry(arguments);
     convert_mesh(arguments);
   });

@@ -90,6 +90,7 @@ parmesan::ExitCode run_program(int argc, char** argv) {
       parmesan::add_schema_command(program), parmesan::add_report_command(program)};
   try {
     program.parse(argc, argv);
+    parmesan::check_names(program);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) return parmesan::report_usage_error(program, error);
     program.exit(error);  // help or version

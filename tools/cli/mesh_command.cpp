@@ -19,6 +19,7 @@
 #include "mesher/io/output_file.h"
 #include "mesher/io/svg.h"
 #include "mesher/io/text.h"
+#include "mesher/io/triangle_files.h"
 #include "mesher/quality.h"
 #include "mesher/triangulation/voronoi.h"
 #include "tools/cli/choice.h"
@@ -137,9 +138,12 @@ ExitCode mesh(const MeshArguments& arguments) {
     print_error(problem);
     return ExitCode::Usage;
   }
+  warn_of_idle_seed(arguments.common, arguments.mesher.schedule);
   const GeometryInput geometry = naming_file(arguments.geometry, [&arguments] {
     return read_geometry_to_mesh(arguments.geometry, arguments.repair, arguments.frozen);
   });
+  for (const std::string& output : arguments.outputs)
+    if (file_suffix(output) == ".poly") check_without_cracks(output, geometry.domain);
   MeshInputs inputs = read_mesh_inputs(arguments.inputs, geometry.domain, arguments.geometry);
   std::optional<EvolutionWriter> evolution;
   if (!arguments.evolution.empty()) evolution.emplace(arguments.evolution);

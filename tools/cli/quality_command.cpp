@@ -5,6 +5,7 @@
 #include <string>
 
 #include "adapt/number_text.h"
+#include "mesher/half_edges.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/quality.h"
@@ -28,6 +29,7 @@ struct QualityArguments {
 struct Assessment {
   Mesh mesh;
   MeshQuality quality;
+  int boundary_edges = 0;  // the other edges of the mesh are constraints inside
   bool in_metric = false;
   Histogram lengths;
   Histogram qualities;
@@ -42,6 +44,7 @@ std::vector<double> length_bounds(const Assessment& assessment) {
 Assessment assess(const QualityArguments& arguments) {
   Assessment result;
   result.mesh = naming_file(arguments.mesh, [&arguments] { return read_valid_mesh(arguments.mesh); });
+  result.boundary_edges = num_boundary_sides(result.mesh);
   result.in_metric = !arguments.metric.empty();
   result.quality = result.in_metric
                        ? measure_quality(result.mesh, read_medit_metric(arguments.metric, result.mesh.num_vertices()))
@@ -61,7 +64,8 @@ nlohmann::ordered_json to_json(const Assessment& assessment) {
   nlohmann::ordered_json json{
       {"vertices", assessment.mesh.num_vertices()},
       {"triangles", assessment.mesh.num_triangles()},
-      {"boundary_edges", assessment.mesh.num_edges()},
+      {"boundary_edges", assessment.boundary_edges},
+      {"constraint_edges", assessment.mesh.num_edges() - assessment.boundary_edges},
       {"in_metric", assessment.in_metric},
       {"complexity", quality.complexity},
       {"unit_edges", quality.unit_edges},
@@ -80,7 +84,8 @@ void print(std::ostream& out, const Assessment& assessment) {
   const Point worst = worst_place(assessment.mesh, quality);
   const std::string unit = assessment.in_metric ? "in the metric" : "in the unit of the mesh";
   out << assessment.mesh.num_vertices() << " vertices, " << assessment.mesh.num_triangles() << " triangles, "
-      << assessment.mesh.num_edges() << " boundary and constraint edges\n"
+      << assessment.boundary_edges << " boundary edges, " << assessment.mesh.num_edges() - assessment.boundary_edges
+      << " constraint edges inside\n"
       << "angles:       " << short_number(quality.angle_min) << " to " << short_number(quality.angle_max)
       << " degrees\n";
   if (assessment.in_metric) {

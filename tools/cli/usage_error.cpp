@@ -24,10 +24,28 @@ std::vector<std::string> subcommands_of(const CLI::App& program) {
   return names;
 }
 
+void check_name(const std::string& option, const std::string& name) {
+  if (name.empty()) throw CLI::ValidationError(option, "is empty");
+  if (option == "--out" && name == "-")
+    throw CLI::ValidationError(option, "'-' does not stand for standard output; ./- is a file of this name");
+}
+
 bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-' && word != "--"; }
+
+// Options belong to subcommands. Empty: none stands before the chosen one.
+std::string explain_misplaced(const CLI::App& program, const CLI::App& chosen) {
+  const std::vector<std::string> before = program.remaining();
+  const auto option = std::ranges::find_if(before, is_option);
+  if (&chosen == &program || option == before.end()) return "";
+  const std::string name = option->substr(0, option->find('='));
+  if (chosen.get_option_no_throw(name) == nullptr)
+    return "unknown option '" + name + "'" + suggestion(name, options_of(chosen));
+  return "'" + name + "' is an option of '" + chosen.get_name() + "' and comes after it";
+}
 
 // An option that is not known comes first: what else is missing or too much follows from it, and CLI11 speaks of that.
 std::string explain(const CLI::App& program, const CLI::App& app, const CLI::ParseError& error) {
+  if (const std::string misplaced = explain_misplaced(program, app); !misplaced.empty()) return misplaced;
   const std::vector<std::string> rest = app.remaining();
   if (&app == &program && !rest.empty() && !is_option(rest.front()))
     return none_of(rest.front(), subcommands_of(program));
@@ -38,6 +56,12 @@ std::string explain(const CLI::App& program, const CLI::App& app, const CLI::Par
 }
 
 }  // namespace
+
+void check_names(const CLI::App& program) {
+  for (const CLI::App* app : program.get_subcommands())
+    for (const CLI::Option* option : app->get_options())
+      for (const std::string& value : option->results()) check_name(option->get_name(), value);
+}
 
 ExitCode report_usage_error(const CLI::App& program, const CLI::ParseError& error) {
   const auto chosen = program.get_subcommands();
