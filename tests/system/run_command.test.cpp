@@ -108,24 +108,30 @@ TEST_CASE("a run that was stopped or killed, and resumed, leaves the same mesh a
           "[system][run][resume][slow]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("layer.json", layer);
-  const int signal = GENERATE(SIGINT, SIGKILL);
-  const int milliseconds = GENERATE(60, 250, 700);
-  std::vector<std::string> words{"run", input, "--set", "/targets/vertices=3000", "-q", "--out"};
-  words.push_back(folder / "whole");
-  REQUIRE(run_program(words).exit_code == 0);
-  words.back() = folder / "broken";
-  run_program(words, folder.path(), {signal, milliseconds});
-  words.push_back("--resume");
-  const ProgramResult resumed = run_program(words);
-  INFO(resumed.err);
-  REQUIRE(resumed.exit_code == 0);
-  for (const char* name : {"mesh.mesh", "mesh.vtu", "iterations/002/metric.sol"}) {
-    INFO(name);
-    CHECK(read_file(folder / "whole/" + name) == read_file(folder / "broken/" + name));
+  const std::vector<std::string> words{"run", input, "--set", "/targets/vertices=3000", "-q", "--out"};
+  const auto with = [&words](std::vector<std::string> more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return more;
+  };
+  REQUIRE(run_program(with({folder / "whole"})).exit_code == 0);
+  const nlohmann::json whole = summary_of(folder / "whole");
+  for (const int signal : {SIGINT, SIGKILL}) {
+    for (const int milliseconds : {60, 250, 700}) {
+      CAPTURE(signal, milliseconds);
+      const std::string broken = folder / (std::to_string(signal) + "_" + std::to_string(milliseconds));
+      run_program(with({broken}), folder.path(), {signal, milliseconds});
+      const ProgramResult resumed = run_program(with({broken, "--resume"}));
+      INFO(resumed.err);
+      REQUIRE(resumed.exit_code == 0);
+      for (const char* name : {"/mesh.mesh", "/mesh.vtu", "/iterations/002/metric.sol"}) {
+        INFO(name);
+        CHECK(read_file(folder / "whole" + name) == read_file(broken + name));
+      }
+      const nlohmann::json summary = summary_of(broken);
+      CHECK(whole.at("stop_reason") == summary.at("stop_reason"));
+      CHECK(whole.at("iterations").size() == summary.at("iterations").size());
+    }
   }
-  const nlohmann::json whole = summary_of(folder / "whole"), broken = summary_of(folder / "broken");
-  CHECK(whole.at("stop_reason") == broken.at("stop_reason"));
-  CHECK(whole.at("iterations").size() == broken.at("iterations").size());
 }
 
 TEST_CASE("resume refuses the run of another case, unless forced", "[system][run][resume][errors]") {
