@@ -5,8 +5,8 @@
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
-#include "tests/mesher/io/temporary_folder.h"
 #include "tests/support/domains.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 
@@ -35,6 +35,6 @@ TEST_CASE("an evolution is a page, a list and frames that grow to the last mesh"
 
 TEST_CASE("a folder for an evolution that cannot be made is an error", "[mesher][io][errors]") {
   const support::TemporaryFolder folder;
-  const std::string file = folder.make("file", "x");
+  const std::string file = folder.write("file", "x");
   CHECK_THROWS_AS(EvolutionWriter(file + "/frames"), FileError);
 }
