@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include "adapt/case.h"
 #include "adapt/hessian_metric.h"
-#include "adapt/summary.h"
+#include "adapt/stopwatch.h"
 #include "fem/norms.h"
 #include "fem/solve.h"
 #include "mesher/generate.h"

@@ -16,7 +16,7 @@
 
 #include "fem/gmres.h"
 #include "fem/multigrid.h"
-#include "fem/solve.h"
+#include "fem/problem.h"
 
 namespace parmesan {
 

@@ -7,7 +7,6 @@
 #include "fem/p1.h"
 #include "fem/point_sources.h"
 #include "fem/singular_vertices.h"
-#include "fem/solve.h"
 #include "fem/vector_of.h"
 #include "mesher/index.h"
 

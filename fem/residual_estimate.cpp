@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "fem/adjacency.h"
-#include "fem/boundary_conditions.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/parallel.h"
 #include "fem/point_sources.h"
 #include "fem/recovery.h"
 #include "fem/side_integrals.h"
+#include "fem/sides.h"
 #include "fem/smooth_parts.h"
 #include "mesher/index.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "adapt/case_schema.h"
 #include "case_support.h"
 
 namespace parmesan {
