@@ -7,7 +7,7 @@
 #include "adapt/case.h"
 #include "adapt/hessian_metric.h"
 #include "adapt/stopwatch.h"
-#include "fem/norms.h"
+#include "fem/estimators.h"
 #include "fem/solve.h"
 #include "mesher/generate.h"
 #include "mesher/mesh.h"

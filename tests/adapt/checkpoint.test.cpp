@@ -47,9 +47,7 @@ TEST_CASE("a loop resumed after any row, through a checkpoint, ends bit by bit a
   LoopResult whole;
   for (const LoopState& state : states_of(input, whole)) {
     const Checkpoint read = decode_checkpoint(encode_checkpoint(state, some_case));
-    LoopOptions options;
-    options.resume = &read.state;
-    const LoopResult resumed = adapt(input, options);
+    const LoopResult resumed = adapt(input, {}, {.resume = &read.state});
     INFO("resumed after row " << state.history.size());
     CHECK(resumed.last.mesh.points == whole.last.mesh.points);
     CHECK(resumed.last.mesh.triangles == whole.last.mesh.triangles);
