@@ -1,9 +1,9 @@
 #include "adapt/given_field.h"
 
-#include "adapt/number_text.h"
 #include "fem/p1.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/mesh_walk.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -61,9 +61,9 @@ std::optional<std::string> warn_beyond(const GivenField& field, const Mesh& mesh
     where = p;
   }
   if (farthest <= much * bounding_diagonal(field.mesh.points)) return std::nullopt;
-  return "the domain reaches beyond the mesh of the given function, by about " + short_number(farthest, 2) + " at (" +
-         short_number(where.x, 4) + ", " + short_number(where.y, 4) +
-         "): there the function goes on with the value of the nearest place, which meshes are not adapted to";
+  return "the domain reaches beyond the mesh of the given function, by about " + text(farthest, 2) + " at " +
+         text(where, 4) +
+         ": there the function goes on with the value of the nearest place, which meshes are not adapted to";
 }
 
 }  // namespace parmesan
