@@ -15,10 +15,7 @@ class Lookup {
 
   double value(const Point& p) {
     const MeshPlace place = walk_.locate(p);
-    const std::array<double, 3> corners = values_at_corners(place.triangle);
-    double value = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) value += place.weights[k] * corners[k];
-    return value;
+    return p1_value(place.weights, values_at_corners(place.triangle));
   }
 
   Vector gradient(const Point& p) {
@@ -28,10 +25,7 @@ class Lookup {
 
  private:
   std::array<double, 3> values_at_corners(std::size_t triangle) const {
-    std::array<double, 3> values{};
-    for (std::size_t k = 0; k < 3; ++k)
-      values[k] = field_->values[static_cast<std::size_t>(field_->mesh.triangles[triangle][k])];
-    return values;
+    return at_corners<double>(field_->mesh, triangle, field_->values);
   }
 
   std::shared_ptr<const GivenField> field_;
