@@ -18,11 +18,15 @@ struct LoopOptions {
   std::int64_t max_vertices = 10'000'000;               // safety limit, LimitError beyond
   const std::atomic<bool>* interrupted = nullptr;       // looked at between stages
   std::function<void(const LoopState&)> observer = {};  // after every row
-  const LoopState* resume = nullptr;                    // goes on there
   bool isotropic = false;                               // metrics of the form s I
   std::optional<ErrorMeasure> measure = {};             // what metrics make small; absent: error_measure(targets)
-  const Iterate* start = nullptr;                       // begins there, with values
-  std::optional<InterpolationLimit> limit = {};         // computed on the first mesh when absent and needed
+};
+
+/// Where the loop begins.
+struct LoopStart {
+  const LoopState* resume = nullptr;             // goes on there
+  const Iterate* first = nullptr;                // begins there, with values; absent: uniform, or that of continuation
+  std::optional<InterpolationLimit> limit = {};  // computed on the first mesh when absent and needed
 };
 
 /// The rows and the last state.
@@ -33,11 +37,10 @@ struct LoopResult {
 };
 
 /// Mesh, solve, measure, recover, metric, remesh from the previous particles, until the targets are
-/// met or a budget is spent (see StopReason and next_size). The first mesh is uniform, or that of
-/// continuation, unless options.start is given. From a state that an observer was given, with options.resume, the loop
-/// comes to the end it would have come to without a break, bit by bit.
+/// met or a budget is spent (see StopReason and next_size). From a state that an observer was
+/// given, with start.resume, the loop comes to the end it would have come to without a break, bit by bit.
 ///
 /// Errors: as generate and solve; LimitError when targets.vertices exceeds the safety limit.
-LoopResult adapt(const Case& input, const LoopOptions& options);
+LoopResult adapt(const Case& input, const LoopOptions& options, const LoopStart& start = {});
 
 }  // namespace parmesan

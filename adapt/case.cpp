@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "adapt/case_reading.h"
+#include "adapt/case_schema.h"
 #include "adapt/expression_lexer.h"
 #include "adapt/expression_names.h"
 #include "adapt/json_text.h"
@@ -19,29 +20,6 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 100;
-
-/// Control characters of names in the file must not reach a terminal.
-std::string printable(const std::string& text) {
-  std::string result = text;
-  for (char& c : result) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 32 || code == 127) c = '?';
-  }
-  return result;
-}
-
-std::string describe(const std::string& file, const std::vector<CaseIssue>& issues) {
-  std::string text;
-  for (const CaseIssue& issue : issues) {
-    if (!text.empty()) text += '\n';
-    text += printable(file);
-    if (issue.line > 0) text += ":" + std::to_string(issue.line) + ":" + std::to_string(issue.column);
-    text += ": ";
-    if (!issue.pointer.empty()) text += printable(issue.pointer) + ": ";
-    text += printable(issue.problem);
-  }
-  return text;
-}
 
 void read_parameter(CaseReading& reading, const std::string& name, Json& value) {
   const std::string pointer = "/parameters" + pointer_step(name);
@@ -101,9 +79,6 @@ void read_name(CaseReading& reading, Case& result) {
 }
 
 }  // namespace
-
-CaseError::CaseError(const std::string& file, std::vector<CaseIssue> issues)
-    : InputError(describe(file, issues)), issues_(std::move(issues)) {}
 
 std::optional<Expression> CaseReading::expression(const Json& value, const std::string& pointer,
                                                   const std::vector<std::string>& extra_variables) {

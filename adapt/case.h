@@ -7,42 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "adapt/case_error.h"
 #include "adapt/expression.h"
 #include "adapt/given_field.h"
 #include "adapt/io/any_geometry.h"
+#include "adapt/metric_options.h"
+#include "adapt/targets.h"
 #include "fem/problem.h"
-#include "fem/recovery.h"
 #include "mesher/generate.h"
-#include "mesher/metric/background_mesh.h"
 
 namespace parmesan {
-
-/// The metric built from Hessians (THEORY: "Metrics").
-enum class MetricKind { LoseilleAlauzet, SignAware };
-
-struct MetricOptions {
-  MetricKind kind = MetricKind::SignAware;
-  double norm = 2.0;  // p of the Lp norm, infinity allowed
-  Recovery recovery = Recovery::ZienkiewiczZhu;
-  bool exact_hessian = false;  // "recovery": "exact", from the exact expression
-  MetricInterpolation interpolation = MetricInterpolation::LogEuclidean;
-  double h_min = 0.0;                            // smallest size, L; 0: none
-  double h_max = 0.0;                            // largest size, L; 0: a quarter of the diagonal of the domain's box
-  double max_aspect = 1e6;                       // largest ratio of the two sizes
-  bool automatic_aspect = false;                 // "automatic": bounded where the solution asks for it (aspect_bound.h)
-  double gradation = 0.0;                        // growth of size per unit metric length; 0: none
-  std::optional<Expression> h_min_at, h_max_at;  // in place of the constants where sizes vary
-};
-
-/// What the loop tries to reach and when it gives up. Absent ones are not looked at.
-struct Targets {
-  std::optional<double> l2_error, h1_error, linf_error;
-  std::optional<double> goal_error;          // of Case::goal
-  std::optional<std::int64_t> vertices;      // aim at this size
-  std::optional<std::int64_t> max_vertices;  // never ask for more
-  int max_iterations = 20;
-  std::optional<double> max_seconds;
-};
 
 /// A number made of the solution that is reported with every iteration.
 struct CaseFunctional {
@@ -90,30 +64,6 @@ struct Case {
   std::vector<Expectation> expect;
 };
 
-/// One thing that is wrong with a case file.
-struct CaseIssue {
-  std::string pointer;  // JSON pointer
-  int line = 0;         // 1-based, 0 when unknown
-  int column = 0;
-  std::string problem;  // what is wrong, what is allowed, the nearest right name
-};
-
-/// A case file cannot be used; what() lists every issue, one per line. Exit code 3.
-class CaseError : public InputError {
- public:
-  CaseError(const std::string& file, std::vector<CaseIssue> issues);
-  const std::vector<CaseIssue>& issues() const { return issues_; }
-
- private:
-  std::vector<CaseIssue> issues_;
-};
-
-/// A value that replaces or adds one in the case: --set /json/pointer=VALUE.
-struct Override {
-  std::string pointer;
-  std::string value;  // JSON, or a plain string when it is not JSON
-};
-
 /// Reads a case file. Errors: FileError (cannot be read), CaseError (all issues at once),
 /// GeometryError (the geometry it describes or names is invalid, and nothing else is).
 Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
@@ -125,8 +75,5 @@ Case parse_case(const std::string& text, const std::string& file, const std::vec
 /// it is written, not cleaned, and the mesh that has the triangles it requires. Nothing when the file is not of this
 /// kind: JSON with the key "geometry" and without GeoJSON's "type". Errors: as read_case.
 std::optional<GeometryInput> read_case_geometry(const std::string& path);
-
-/// JSON Schema (draft 2020-12) of case files.
-nlohmann::ordered_json case_schema();
 
 }  // namespace parmesan

@@ -14,8 +14,6 @@ using Json = nlohmann::ordered_json;
 
 double radians(const Json& degrees) { return degrees.get<double>() * std::numbers::pi / 180.0; }
 
-std::string shown(const Point& p) { return "(" + short_number(p.x, 12) + ", " + short_number(p.y, 12) + ")"; }
-
 Curve read_arc(const Json& value) {
   return circular_arc(read_point(value["center"]), value["radius"].get<double>(), radians(value["from"]),
                       radians(value["to"]));
@@ -133,7 +131,7 @@ std::optional<Path> read_closed_path(CaseReading& reading, const Json& pieces, c
     if (meet(before, piece)) continue;
     reading.issues.add(
         pointer + "/" + std::to_string(i),
-        "begins at " + shown(piece.begin) + ", but the piece before " + "it ends at " + shown(before.end));
+        "begins at " + text(piece.begin, 12) + ", but the piece before " + "it ends at " + text(before.end, 12));
   }
   return reading.issues.clean(pointer) ? std::optional(std::move(path)) : std::nullopt;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "adapt/case.h"
+#include "adapt/case_error.h"
 #include "adapt/case_issues.h"
 
 namespace parmesan {

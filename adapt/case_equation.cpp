@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "adapt/decimal.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -23,8 +23,7 @@ Sum sum_of(std::span<const double> terms) {
 }  // namespace
 
 void throw_not_finite(const std::string& pointer, const std::string& what, double value, const Point& p) {
-  throw ProblemError(pointer + ": " + what + " is " + decimal(value) + " at x = " + decimal(p.x) +
-                     ", y = " + decimal(p.y));
+  throw ProblemError(pointer + ": " + what + " is " + text(value) + " at x = " + text(p.x) + ", y = " + text(p.y));
 }
 
 double CheckedExpression::value(const Point& p, std::span<const double> extra) const {

@@ -3,10 +3,10 @@
 
 #include "adapt/case_file_geometry.h"
 #include "adapt/case_reading.h"
-#include "adapt/decimal.h"
 #include "adapt/nearest_name.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -64,7 +64,7 @@ std::shared_ptr<const GivenField> read_given_field(CaseReading& reading) {
   for (std::size_t v = 0; v < given->values.size(); ++v) {
     if (std::isfinite(given->values[v])) continue;
     reading.issues.add(kPointer + "/file",
-                       "the value at vertex " + std::to_string(v + 1) + " is " + decimal(given->values[v]));
+                       "the value at vertex " + std::to_string(v + 1) + " is " + text(given->values[v]));
     return nullptr;
   }
   return given;

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "adapt/case_reading.h"
-#include "adapt/decimal.h"
 #include "adapt/idle_options.h"
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -52,7 +52,7 @@ SizeLimit read_size_limit(CaseReading& reading, Json& section, const std::string
     section[key] = constant;
     return {constant, std::nullopt};
   }
-  reading.issues.add("/metric/" + key, "must be a size, or 0 for none, not " + decimal(constant));
+  reading.issues.add("/metric/" + key, "must be a size, or 0 for none, not " + text(constant));
   return {};
 }
 

@@ -1,4 +1,4 @@
-#include "adapt/case.h"
+#include "adapt/case_schema.h"
 
 namespace parmesan {
 namespace {

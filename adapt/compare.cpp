@@ -100,17 +100,17 @@ class Comparison {
     loop.interrupted = options_.interrupted;
     loop.isotropic = family == MeshFamily::Isotropic;
     loop.measure = error_measure(case_.targets);
+    LoopStart start{.limit = limit_};
     Iterate last;
     double cpu = 0.0;
     for (const std::int64_t size : options_.sizes) {
       if (interrupted()) return;
-      loop.limit = limit_;
-      LoopResult run = adapt(aimed_at(case_, size), loop);
+      LoopResult run = adapt(aimed_at(case_, size), loop, start);
       if (interrupted()) return;
-      limit_ = run.limit;
+      limit_ = start.limit = run.limit;
       cpu += spent(run.summary.iterations);
       last = std::move(run.last);
-      loop.start = &last;
+      start.first = &last;
       add(row_of(family, run.summary.iterations.back(), last.values, cpu));
     }
   }

@@ -4,9 +4,9 @@
 #include <array>
 #include <cassert>
 
-#include "adapt/decimal.h"
 #include "adapt/expression_evaluate.h"
 #include "adapt/expression_tape.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
@@ -48,7 +48,7 @@ Expression Expression::constant(double value) {
   Tape tape;
   tape.code.push_back({.op = Op::Constant, .constant = value});
   tape.stack_size = 1;
-  return Expression(std::make_shared<const Program>(Program{decimal(value), {}, std::move(tape)}));
+  return Expression(std::make_shared<const Program>(Program{parmesan::text(value), {}, std::move(tape)}));
 }
 
 double Expression::value(const Point& p, const std::vector<double>& extra) const {

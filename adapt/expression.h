@@ -7,17 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "adapt/expression_jet.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/point.h"
 
 namespace parmesan {
-
-/// A value with its gradient and Hessian in (x, y): a second-order jet.
-struct Jet {
-  double value = 0.0;
-  double x = 0.0, y = 0.0;
-  double xx = 0.0, xy = 0.0, yy = 0.0;
-};
 
 /// An expression cannot be parsed: position (0-based byte offset in the text) and message.
 class ExpressionError : public InputError {

@@ -2,10 +2,16 @@
 
 #include <cmath>
 
-#include "adapt/expression.h"
 #include "adapt/expression_functions.h"
 
 namespace parmesan {
+
+/// A value with its gradient and Hessian in (x, y): a second-order jet.
+struct Jet {
+  double value = 0.0;
+  double x = 0.0, y = 0.0;
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+};
 
 /// slope times inner, where an argument that does not vary contributes nothing even if the slope
 /// is infinite (sqrt at 0).

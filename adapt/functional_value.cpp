@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "adapt/case_equation.h"
-#include "fem/boundary_conditions.h"
 #include "fem/coefficients.h"
 #include "fem/load.h"
 #include "fem/point_location.h"
 #include "fem/side_integrals.h"
+#include "fem/sides.h"
 
 namespace parmesan {
 namespace {

@@ -1,9 +1,9 @@
 #include "adapt/given_field.h"
 
-#include "adapt/number_text.h"
 #include "fem/p1.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/mesh_walk.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -15,10 +15,7 @@ class Lookup {
 
   double value(const Point& p) {
     const MeshPlace place = walk_.locate(p);
-    const std::array<double, 3> corners = values_at_corners(place.triangle);
-    double value = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) value += place.weights[k] * corners[k];
-    return value;
+    return p1_value(place.weights, values_at_corners(place.triangle));
   }
 
   Vector gradient(const Point& p) {
@@ -28,10 +25,7 @@ class Lookup {
 
  private:
   std::array<double, 3> values_at_corners(std::size_t triangle) const {
-    std::array<double, 3> values{};
-    for (std::size_t k = 0; k < 3; ++k)
-      values[k] = field_->values[static_cast<std::size_t>(field_->mesh.triangles[triangle][k])];
-    return values;
+    return at_corners<double>(field_->mesh, triangle, field_->values);
   }
 
   std::shared_ptr<const GivenField> field_;
@@ -61,9 +55,9 @@ std::optional<std::string> warn_beyond(const GivenField& field, const Mesh& mesh
     where = p;
   }
   if (farthest <= much * bounding_diagonal(field.mesh.points)) return std::nullopt;
-  return "the domain reaches beyond the mesh of the given function, by about " + short_number(farthest, 2) + " at (" +
-         short_number(where.x, 4) + ", " + short_number(where.y, 4) +
-         "): there the function goes on with the value of the nearest place, which meshes are not adapted to";
+  return "the domain reaches beyond the mesh of the given function, by about " + text(farthest, 2) + " at " +
+         text(where, 4) +
+         ": there the function goes on with the value of the nearest place, which meshes are not adapted to";
 }
 
 }  // namespace parmesan

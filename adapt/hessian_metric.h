@@ -5,15 +5,12 @@
 #include <vector>
 
 #include "adapt/absolute_hessian.h"
-#include "adapt/case.h"
-#include "adapt/summary.h"
+#include "adapt/clipped_sizes.h"
+#include "adapt/metric_options.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric.h"
 
 namespace parmesan {
-
-/// Which error of the P1 interpolant a metric makes small.
-enum class ErrorMeasure { Lp, H1 };
 
 /// What is asked of a metric beyond the case's options.
 struct MetricRequest {

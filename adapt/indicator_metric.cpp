@@ -8,9 +8,9 @@
 #include <string>
 
 #include "adapt/absolute_hessian.h"
-#include "adapt/decimal.h"
 #include "adapt/hessian_metric.h"
 #include "mesher/errors.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -24,7 +24,7 @@ void check(const Mesh& mesh, std::span<const double> indicators, const Indicator
   }
   for (std::size_t i = 0; i < indicators.size(); ++i) {
     if (std::isfinite(indicators[i]) && indicators[i] >= 0.0) continue;
-    throw InputError("indicator " + std::to_string(i + 1) + " is " + decimal(indicators[i]) +
+    throw InputError("indicator " + std::to_string(i + 1) + " is " + text(indicators[i]) +
                      "; indicators must be finite and at least 0");
   }
   if (std::ranges::max(indicators) <= 0.0) throw InputError("all indicators are 0: there is no error to adapt to");

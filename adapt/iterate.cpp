@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "adapt/decimal.h"
 #include "adapt/functional_value.h"
 #include "adapt/nodal_values.h"
 #include "adapt/number_text.h"
@@ -20,6 +19,7 @@
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/metric/background_mesh.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -55,8 +55,7 @@ void require_finite(const Case& input, const Iterate& iterate) {
   for (std::size_t i = 0; i < iterate.values.size(); ++i) {
     if (std::isfinite(iterate.values[i])) continue;
     const Point& p = iterate.mesh.points[i];
-    throw ProblemError("/problem/interpolate: \"" + input.exact->text() + "\" is not finite at (" + decimal(p.x) +
-                       ", " + decimal(p.y) + ")");
+    throw ProblemError("/problem/interpolate: \"" + input.exact->text() + "\" is not finite at " + text(p));
   }
 }
 

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include "adapt/case.h"
 #include "adapt/hessian_metric.h"
-#include "adapt/summary.h"
-#include "fem/norms.h"
+#include "adapt/stopwatch.h"
+#include "fem/estimators.h"
 #include "fem/solve.h"
 #include "mesher/generate.h"
 #include "mesher/mesh.h"

@@ -19,28 +19,29 @@ std::string limit_text(const char* name, const Clipped& clipped) {
          range(clipped.low.x, clipped.high.x) + " x " + range(clipped.low.y, clipped.high.y);
 }
 
-// The limits that can have made a mesh too small, or too large.
-std::string limits_text(const ClippedSizes& clipped, bool too_small) {
+struct NamedLimit {
+  const char* name;
+  Clipped clipped;
+};
+
+// The limits that can have made a mesh too small.
+std::vector<NamedLimit> limits_from_below(const ClippedSizes& clipped) { return {{"h_min", clipped.h_min}}; }
+
+// Those that can have made it too large.
+std::vector<NamedLimit> limits_from_above(const ClippedSizes& clipped) {
+  return {{"h_max", clipped.h_max}, {"max_aspect", clipped.aspect}, {"gradation", clipped.gradation}};
+}
+
+std::string limits_text(const std::vector<NamedLimit>& limits) {
   std::string text;
-  const auto add = [&text](const char* name, const Clipped& limit) {
-    if (limit.count > 0) text += (text.empty() ? "" : ", ") + limit_text(name, limit);
-  };
-  if (too_small) {
-    add("h_min", clipped.h_min);
-  } else {
-    add("h_max", clipped.h_max);
-    add("max_aspect", clipped.aspect);
-    add("gradation", clipped.gradation);
-  }
+  for (const auto& [name, clipped] : limits)
+    if (clipped.count > 0) text += (text.empty() ? "" : ", ") + limit_text(name, clipped);
   return text;
 }
 
-// Whether a limit acts at most of a mesh's vertices.
-bool limits_most(const IterationRow& last, bool too_small) {
-  const ClippedSizes& clipped = last.clipped;
-  const auto count =
-      too_small ? clipped.h_min.count : std::max({clipped.h_max.count, clipped.aspect.count, clipped.gradation.count});
-  return 2 * count > last.vertices;
+// Whether one of the limits acts at more than half of the vertices.
+bool act_at_half(const std::vector<NamedLimit>& limits, std::int64_t vertices) {
+  return std::ranges::any_of(limits, [vertices](const NamedLimit& l) { return 2 * l.clipped.count > vertices; });
 }
 
 // A loop that ended before it had come to the size that it could have. Empty: none.
@@ -64,8 +65,9 @@ std::optional<std::string> of_size(const IterationRow& last, std::optional<std::
   if (has_size(got, wanted)) return std::nullopt;
   std::string sentence =
       "the mesh has " + std::to_string(last.vertices) + " vertices, not the " + std::to_string(*aimed) + " aimed at";
-  const std::string limits = limits_text(last.clipped, got < wanted);
-  const std::string_view end = limits_most(last, got < wanted) ? std::string_view{} : cut_short_by(reason);
+  const auto acting = got < wanted ? limits_from_below(last.clipped) : limits_from_above(last.clipped);
+  const std::string limits = limits_text(acting);
+  const std::string_view end = act_at_half(acting, last.vertices) ? std::string_view{} : cut_short_by(reason);
   if (!end.empty())
     sentence += "; the loop was ended by " + std::string(end);
   else if (!limits.empty())
@@ -75,8 +77,9 @@ std::optional<std::string> of_size(const IterationRow& last, std::optional<std::
 
 // Of errors that cannot fall further.
 std::optional<std::string> of_smallest_size(const IterationRow& last, bool limits_bind, StopReason reason) {
-  const std::string limits = limits_text(last.clipped, true);
-  const bool keeps_away = limits_bind || (reason == StopReason::Stagnated && limits_most(last, true));
+  const auto acting = limits_from_below(last.clipped);
+  const std::string limits = limits_text(acting);
+  const bool keeps_away = limits_bind || (reason == StopReason::Stagnated && act_at_half(acting, last.vertices));
   if (!keeps_away || limits.empty()) return std::nullopt;
   return "limits forbid smaller triangles: " + limits;
 }

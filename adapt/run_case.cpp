@@ -131,14 +131,13 @@ RunResult run_case(const Case& input, const RunOptions& options) {
   loop.threads = options.threads;
   loop.max_vertices = options.max_vertices;
   loop.interrupted = options.interrupted;
-  loop.resume = resumed ? &*resumed : nullptr;
   loop.observer = [&](const LoopState& state) {
     const IterationRow& row = state.summary.iterations.back();
     folder.write_iteration(state.last, row);
     write_checkpoint(path, state, case_hash);
     say(options, progress_line(input, row));
   };
-  LoopResult run = adapt(input, loop);
+  LoopResult run = adapt(input, loop, {.resume = resumed ? &*resumed : nullptr});
   folder.finish(run.summary, run.last);
   write_report(path + "/report.html", {path});
   RunResult result;

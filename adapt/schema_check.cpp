@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include "adapt/decimal.h"
 #include "adapt/expression.h"
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"
 #include "adapt/schema_words.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -131,14 +131,14 @@ void SchemaCheck::check_reference(Json& value, const Json& schema, const std::st
 }
 
 void SchemaCheck::evaluate_constant(Json& value, const std::string& pointer) {
-  const std::string text = value.get<std::string>();
+  const std::string written = value.get<std::string>();
   try {
-    const Expression expression = Expression::parse(text, parameters_);
+    const Expression expression = Expression::parse(written, parameters_);
     const double number = expression.value({});
     if (!expression.is_constant()) {
       issues_.add(pointer, "must be a number or an expression of the parameters; it must not depend on x or y");
     } else if (!std::isfinite(number)) {
-      issues_.add(pointer, "the expression '" + text.substr(0, 60) + "' is not finite: " + decimal(number));
+      issues_.add(pointer, "the expression '" + written.substr(0, 60) + "' is not finite: " + text(number));
     } else {
       value = number;
     }
@@ -151,7 +151,7 @@ void SchemaCheck::check_number(const Json& value, const Json& schema, const std:
   const double number = value.get<double>();
   const bool in_range = number >= schema.value("minimum", number) && number <= schema.value("maximum", number) &&
                         (!schema.contains("exclusiveMinimum") || number > schema["exclusiveMinimum"].get<double>());
-  if (!in_range) issues_.add(pointer, "must be " + allowed(schema) + ", not " + decimal(number));
+  if (!in_range) issues_.add(pointer, "must be " + allowed(schema) + ", not " + text(number));
   const bool must_be_whole = schema.value("type", Json()) == "integer";
   if (in_range && (exceeds_exact_integers(value) || (must_be_whole && std::fabs(number) > 0x1p53))) {
     issues_.add(pointer, "whole numbers beyond 2^53 = 9007199254740992 cannot be kept exactly");

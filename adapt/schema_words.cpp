@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "adapt/decimal.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
@@ -27,18 +27,18 @@ std::string type_name(const std::string& type) {
 
 std::string range_of(const Json& schema) {
   const bool from = schema.contains("minimum");
-  std::string text;
-  if (from) text = " of at least " + decimal(schema["minimum"].get<double>());
-  if (schema.contains("exclusiveMinimum")) text = " above " + decimal(schema["exclusiveMinimum"].get<double>());
+  std::string range;
+  if (from) range = " of at least " + text(schema["minimum"].get<double>());
+  if (schema.contains("exclusiveMinimum")) range = " above " + text(schema["exclusiveMinimum"].get<double>());
   if (schema.contains("maximum"))
-    text += (from ? " and" : " of") + (" at most " + decimal(schema["maximum"].get<double>()));
-  return text;
+    range += (from ? " and" : " of") + (" at most " + text(schema["maximum"].get<double>()));
+  return range;
 }
 
 std::string kind_of(const Json& value) {
   if (value.is_string()) return "the text '" + value.get<std::string>().substr(0, 60) + "'";
   if (value.is_number_integer()) return "the number " + value.dump();
-  if (value.is_number()) return "the number " + decimal(value.get<double>());
+  if (value.is_number()) return "the number " + text(value.get<double>());
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_object()) return "an object { }";
   if (value.is_array()) return "a list of " + std::to_string(value.size());

@@ -5,14 +5,14 @@
 #include <optional>
 #include <string>
 
-#include "adapt/decimal.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
 
-std::string place(const Point& p) { return " at x = " + decimal(p.x) + ", y = " + decimal(p.y); }
+std::string place(const Point& p) { return " at x = " + text(p.x) + ", y = " + text(p.y); }
 
 /// A size limit at a point: the expression where there is one, else the constant.
 double size_at(const std::optional<Expression>& expression, double constant, const char* key, const Point& p) {
@@ -20,7 +20,7 @@ double size_at(const std::optional<Expression>& expression, double constant, con
   const double size = expression->value(p);
   if (std::isfinite(size) && size > 0.0) return size;
   throw InputError(std::string("/metric/") + key + ": the expression '" + expression->text().substr(0, 200) + "' is " +
-                   decimal(size) + place(p) + "; a size must be positive");
+                   text(size) + place(p) + "; a size must be positive");
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ std::vector<SizeLimits> size_limits(const Mesh& mesh, const MetricOptions& optio
                         size_at(options.h_max_at, h_max, "h_max", p), aspect};
     if (!(at.h_min <= at.h_max)) {
       const bool is_default = options.h_max <= 0.0 && !options.h_max_at;
-      throw InputError("/metric/h_min: " + decimal(at.h_min) + " exceeds h_max, " + decimal(at.h_max) +
+      throw InputError("/metric/h_min: " + text(at.h_min) + " exceeds h_max, " + text(at.h_max) +
                        (is_default ? ", a quarter of the diagonal of the domain's box as none is given," : "") +
                        place(p));
     }

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "adapt/case.h"
-#include "adapt/summary.h"
+#include "adapt/clipped_sizes.h"
+#include "adapt/metric_options.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/symmetric_tensor.h"
 

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <span>
 
-#include "adapt/summary.h"
+#include "adapt/stop_reason.h"
 
 namespace parmesan {
 

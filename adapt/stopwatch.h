@@ -19,4 +19,23 @@ class Stopwatch {
   std::clock_t cpu_start_ = std::clock();
 };
 
+/// Wall times of one iteration. Units: s.
+struct StageSeconds {
+  double mesh = 0.0;
+  double solve = 0.0;
+  double recover = 0.0;  // Hessians and the metric for the next mesh
+  double measure = 0.0;  // error norms and metric statistics
+  double cpu = 0.0;      // processor time of mesh, solve and recover, all threads
+  double total() const { return mesh + solve + recover + measure; }
+
+  StageSeconds& operator+=(const StageSeconds& other) {
+    mesh += other.mesh;
+    solve += other.solve;
+    recover += other.recover;
+    measure += other.measure;
+    cpu += other.cpu;
+    return *this;
+  }
+};
+
 }  // namespace parmesan

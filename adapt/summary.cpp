@@ -1,6 +1,5 @@
 #include "adapt/summary.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "adapt/json_number.h"
@@ -108,47 +107,6 @@ Json misfits(const Diagnosis& diagnosis) {
 }
 
 }  // namespace
-
-StageSeconds& StageSeconds::operator+=(const StageSeconds& other) {
-  mesh += other.mesh;
-  solve += other.solve;
-  recover += other.recover;
-  measure += other.measure;
-  cpu += other.cpu;
-  return *this;
-}
-
-std::string_view to_string(StopReason reason) {
-  switch (reason) {
-    case StopReason::ErrorTarget:
-      return "error_target";
-    case StopReason::GoalTarget:
-      return "goal_target";
-    case StopReason::Vertices:
-      return "vertices";
-    case StopReason::VertexBudget:
-      return "vertex_budget";
-    case StopReason::TimeBudget:
-      return "time_budget";
-    case StopReason::MaxIterations:
-      return "max_iterations";
-    case StopReason::Unchanged:
-      return "unchanged";
-    case StopReason::Floor:
-      return "floor";
-    case StopReason::Stagnated:
-      return "stagnated";
-    case StopReason::Interrupted:
-      return "interrupted";
-  }
-  return "";
-}
-
-void Clipped::add(const Point& p) {
-  low = count == 0 ? p : Point{std::min(low.x, p.x), std::min(low.y, p.y)};
-  high = count == 0 ? p : Point{std::max(high.x, p.x), std::max(high.y, p.y)};
-  ++count;
-}
 
 void set_quality(IterationRow& row, const Mesh& mesh, const MeshQuality& quality) {
   row.unit_edges = quality.unit_edges;

@@ -5,10 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "adapt/clipped_sizes.h"
 #include "adapt/goal_error.h"
+#include "adapt/stop_reason.h"
+#include "adapt/stopwatch.h"
 #include "fem/estimators.h"
 #include "fem/norms.h"
 #include "fem/solve.h"
@@ -19,51 +21,10 @@
 
 namespace parmesan {
 
-/// Why a run ended.
-enum class StopReason {
-  ErrorTarget,    // all declared error targets met
-  GoalTarget,     // the same, the error of a functional among them
-  Vertices,       // the size aimed at was reached and nothing else was declared
-  VertexBudget,   // a larger mesh would exceed max_vertices
-  TimeBudget,     // max_seconds are over
-  MaxIterations,  // max_iterations rows were made
-  Unchanged,      // the mesh no longer changes
-  Floor,          // the error is round-off
-  Stagnated,      // more vertices no longer reduce the error, or size limits forbid more
-  Interrupted     // the user asked to stop
-};
-
-/// The name used in summary.json, e.g. "error_target".
-std::string_view to_string(StopReason reason);
-
 /// Where the triangle of the lowest quality lies. Units: L.
 struct WorstElement {
   Point center;
   double quality = 0.0;
-};
-
-/// Where a limit changed the sizes that the error asks for.
-struct Clipped {
-  std::int64_t count = 0;  // vertices of the mesh before
-  Point low, high;         // the box around them
-
-  void add(const Point& p);
-};
-
-/// What the limits changed, one by one.
-struct ClippedSizes {
-  Clipped h_min, h_max, aspect, gradation;
-};
-
-/// Wall times of one iteration. Units: s.
-struct StageSeconds {
-  double mesh = 0.0;
-  double solve = 0.0;
-  double recover = 0.0;  // Hessians and the metric for the next mesh
-  double measure = 0.0;  // error norms and metric statistics
-  double cpu = 0.0;      // processor time of mesh, solve and recover, all threads
-  double total() const { return mesh + solve + recover + measure; }
-  StageSeconds& operator+=(const StageSeconds& other);
 };
 
 /// The functional that meshes are made for.

@@ -2,13 +2,23 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
-#include "adapt/case.h"
-#include "adapt/hessian_metric.h"
+#include "adapt/metric_options.h"
 #include "fem/norms.h"
 
 namespace parmesan {
+
+/// What the loop tries to reach and when it gives up. Absent ones are not looked at.
+struct Targets {
+  std::optional<double> l2_error, h1_error, linf_error;
+  std::optional<double> goal_error;          // of Case::goal
+  std::optional<std::int64_t> vertices;      // aim at this size
+  std::optional<std::int64_t> max_vertices;  // never ask for more
+  int max_iterations = 20;
+  std::optional<double> max_seconds;
+};
 
 /// How far the errors are from the case's targets: the largest of error / target, squared for H1 so
 /// that it falls like 1 / vertices. Without error targets the L2 error itself. NaN counts as missed.

@@ -1,7 +1,6 @@
 #include "adapt/transfer.h"
 
-#include <cstddef>
-
+#include "fem/p1.h"
 #include "mesher/errors.h"
 #include "mesher/mesh_walk.h"
 
@@ -15,10 +14,7 @@ std::vector<double> transfer(const Mesh& from, std::span<const double> values, c
   result.reserve(to.points.size());
   for (const Point& p : to.points) {
     const MeshPlace place = walk.locate(p);
-    double value = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-      value += place.weights[k] * values[static_cast<std::size_t>(from.triangles[place.triangle][k])];
-    result.push_back(value);
+    result.push_back(p1_value(place.weights, at_corners(from, place.triangle, values)));
   }
   return result;
 }

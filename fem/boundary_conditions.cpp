@@ -1,33 +1,12 @@
 #include "fem/boundary_conditions.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <set>
-#include <unordered_map>
 
 #include "fem/side_integrals.h"
-#include "mesher/errors.h"
 
 namespace parmesan {
 
 namespace {
-
-std::uint64_t edge_key(int a, int b) {
-  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
-}
-
-Side make_side(const Mesh& mesh, std::size_t edge, int from, int to, std::size_t triangle) {
-  const Vector d = mesh.points[static_cast<std::size_t>(to)] - mesh.points[static_cast<std::size_t>(from)];
-  const double length = norm(d);
-  return {.from = from,
-          .to = to,
-          .label = mesh.labels[edge],
-          .triangle = static_cast<int>(triangle),
-          .region = mesh.regions[triangle],
-          .normal = {d.y / length, -d.x / length},
-          .length = length};
-}
 
 std::string list_labels(const Mesh& mesh, const std::set<int>& labels) {
   std::string text;
@@ -47,42 +26,6 @@ void add_robin(const Side& side, const RobinMoments& a, AssembledSystem& system)
 }
 
 }  // namespace
-
-std::vector<Side> labelled_sides(const Mesh& mesh) {
-  std::vector<char> touched(mesh.points.size(), 0);
-  std::unordered_map<std::uint64_t, std::size_t> edges;
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    edges[edge_key(mesh.edges[e][0], mesh.edges[e][1])] = e;
-    for (const int v : mesh.edges[e]) touched[static_cast<std::size_t>(v)] = 1;
-  }
-  std::vector<Side> sides(mesh.edges.size());
-  std::vector<int> found(mesh.edges.size(), 0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int from = mesh.triangles[t][i];
-      const int to = mesh.triangles[t][(i + 1) % 3];
-      if (!touched[static_cast<std::size_t>(from)] || !touched[static_cast<std::size_t>(to)]) continue;
-      const auto edge = edges.find(edge_key(from, to));
-      if (edge == edges.end()) continue;
-      const std::size_t e = edge->second;
-      const int other_region = found[e] > 0 ? sides[e].region : mesh.regions[t];
-      const int other_triangle = found[e] > 0 ? sides[e].triangle : -1;
-      sides[e].other_region = mesh.regions[t];
-      sides[e].other_triangle = static_cast<int>(t);
-      if (found[e] == 0 || mesh.edges[e][0] == from) {
-        sides[e] = make_side(mesh, e, from, to, t);
-        sides[e].other_region = other_region;
-        sides[e].other_triangle = other_triangle;
-      }
-      sides[e].interior = ++found[e] > 1;
-    }
-  }
-  for (std::size_t e = 0; e < found.size(); ++e) {
-    if (found[e] > 0) continue;
-    throw GeometryError("edge " + std::to_string(e) + " is the side of no triangle", {static_cast<int>(e)});
-  }
-  return sides;
-}
 
 void check_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
   std::set<int> boundary;

@@ -3,7 +3,8 @@
 #include <map>
 #include <span>
 
-#include "fem/boundary_conditions.h"
+#include "fem/problem.h"
+#include "fem/sides.h"
 
 namespace parmesan {
 

@@ -1,18 +1,13 @@
 #include "fem/coefficients.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <string>
+
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
 namespace {
-
-std::string to_text(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
 
 double scalar_at(const ScalarCoefficient& coefficient, const char* name, const Point& point, int region) {
   return coefficient ? require_finite(coefficient(point, region), name, point) : 0.0;
@@ -20,12 +15,9 @@ double scalar_at(const ScalarCoefficient& coefficient, const char* name, const P
 
 }  // namespace
 
-std::string format_place(const Point& point) { return "(" + to_text(point.x) + ", " + to_text(point.y) + ")"; }
-
 double require_finite(double value, const char* name, const Point& point) {
   if (std::isfinite(value)) return value;
-  throw ProblemError(std::string(name) + " is " + to_text(value) + " at " + format_place(point) +
-                     "; it must be finite");
+  throw ProblemError(std::string(name) + " is " + text(value) + " at " + text(point) + "; it must be finite");
 }
 
 Diffusion diffusion_at(const Problem& problem, const Point& point, int region) {
@@ -33,8 +25,8 @@ Diffusion diffusion_at(const Problem& problem, const Point& point, int region) {
   const Diffusion k = problem.diffusion(point, region);
   for (const double entry : {k.xx, k.xy, k.yy}) require_finite(entry, "diffusion", point);
   if (k.xx > 0.0 && k.yy > 0.0 && k.xx * k.yy > k.xy * k.xy) return k;
-  throw ProblemError("diffusion is [[" + to_text(k.xx) + ", " + to_text(k.xy) + "], [" + to_text(k.xy) + ", " +
-                     to_text(k.yy) + "]] at " + format_place(point) + "; it must be positive definite");
+  throw ProblemError("diffusion is [[" + text(k.xx) + ", " + text(k.xy) + "], [" + text(k.xy) + ", " + text(k.yy) +
+                     "]] at " + text(point) + "; it must be positive definite");
 }
 
 Vector velocity_at(const Problem& problem, const Point& point, int region) {

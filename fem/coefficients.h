@@ -1,14 +1,9 @@
 #pragma once
 
-#include <string>
-
 #include "fem/p1.h"
 #include "fem/problem.h"
 
 namespace parmesan {
-
-/// "(x, y)" with the shortest digits that read back the same.
-std::string format_place(const Point& point);
 
 /// The value itself. Errors: ProblemError with the name and the place unless it is finite.
 double require_finite(double value, const char* name, const Point& point);

@@ -13,9 +13,7 @@ std::vector<Vector> mean_gradients(const Mesh& mesh, std::span<const double> val
   std::vector<double> areas(mesh.points.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const P1Element element = p1_element(mesh, static_cast<int>(t));
-    std::array<double, 3> local{};
-    for (std::size_t i = 0; i < 3; ++i) local[i] = values[static_cast<std::size_t>(mesh.triangles[t][i])];
-    const Vector gradient = p1_gradient(element, local);
+    const Vector gradient = p1_gradient(element, at_corners(mesh, t, values));
     for (const int vertex : mesh.triangles[t]) {
       const auto v = static_cast<std::size_t>(vertex);
       sums[v] = sums[v] + element.area * gradient;

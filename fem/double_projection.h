@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "fem/recovery.h"
+#include "fem/hessian.h"
+#include "mesher/mesh.h"
 
 namespace parmesan {
 

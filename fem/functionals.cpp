@@ -6,6 +6,7 @@
 #include "fem/load.h"
 #include "fem/point_location.h"
 #include "fem/side_integrals.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
@@ -34,7 +35,7 @@ Functional boundary_integral(const Mesh& mesh, const std::vector<Side>& sides, i
 
 Functional point_value(const Mesh& mesh, const Point& point) {
   const std::vector<TrianglePlace> holders = triangles_at(mesh, point);
-  if (holders.empty()) throw ProblemError("the point " + format_place(point) + " lies outside of the domain");
+  if (holders.empty()) throw ProblemError("the point " + text(point) + " lies outside of the domain");
   Functional functional(mesh.points.size(), 0.0);
   const auto& [triangle, lambda] = holders.front();
   for (std::size_t i = 0; i < 3; ++i) {

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "fem/boundary_conditions.h"
+#include "fem/problem.h"
+#include "fem/sides.h"
 
 namespace parmesan {
 

@@ -5,9 +5,7 @@
 #include <Eigen/SparseLU>
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <memory>
-#include <sstream>
 #include <vector>
 #ifdef PARMESAN_SUITESPARSE
 #include <Eigen/CholmodSupport>
@@ -16,7 +14,8 @@
 
 #include "fem/gmres.h"
 #include "fem/multigrid.h"
-#include "fem/solve.h"
+#include "fem/problem.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
@@ -89,11 +88,10 @@ void check_options(const MatrixKind& kind, const SolverOptions& options) {
     throw ProblemError("the solver cg needs a symmetric preconditioner, multigrid or jacobi, not ilut");
   }
   if (options.restart < 1 || options.restart > MaxRestart) {
-    throw InputError("restart is " + std::to_string(options.restart) + "; it must be from 1 to 1000");
+    throw InputError("restart is " + std::to_string(options.restart) + "; it must be from 1 to " +
+                     std::to_string(MaxRestart));
   }
 }
-
-using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess, double tolerance)>;
 
 /// No solution, by the solver of this name.
 LinearResult failure(Eigen::Index unknowns, const char* name) {
@@ -102,7 +100,7 @@ LinearResult failure(Eigen::Index unknowns, const char* name) {
 
 /// Solves directly, and once more for the residual.
 template <class Solver>
-Method direct(const RowMatrix& rows, const char* name) {
+LinearMethod direct(const RowMatrix& rows, const char* name) {
   const auto matrix = std::make_shared<const ColumnMatrix>(rows);
   const auto solver = std::make_shared<Solver>();
   if constexpr (requires { solver->cholmod(); }) solver->cholmod().print = 0;  // what fails is reported by the caller
@@ -120,7 +118,7 @@ Method direct(const RowMatrix& rows, const char* name) {
 /// Iterates from the guess; x is NaN when the preconditioner could not be made or the residual did not fall to the
 /// tolerance.
 template <class Solver>
-Method iterative(const std::shared_ptr<Solver>& solver, const RowMatrix& matrix, const char* name) {
+LinearMethod iterative(const std::shared_ptr<Solver>& solver, const RowMatrix& matrix, const char* name) {
   solver->compute(matrix);
   const bool is_prepared = solver->info() == Eigen::Success;
   return [solver, is_prepared, name](const Eigen::VectorXd& b, const Eigen::VectorXd& guess, double tolerance) {
@@ -137,8 +135,8 @@ Method iterative(const std::shared_ptr<Solver>& solver, const RowMatrix& matrix,
 
 /// Iterates with one preconditioner. Limits on iterations: beyond, a direct method is faster.
 template <class Preconditioning>
-Method preconditioned(const Attempt& attempt, const RowMatrix& matrix, int restart, int max_iterations,
-                      auto adjust_preconditioner) {
+LinearMethod preconditioned(const Attempt& attempt, const RowMatrix& matrix, int restart, int max_iterations,
+                            auto adjust_preconditioner) {
   const auto prepare = [&](const auto& solver, const char* name) {
     solver->setMaxIterations(max_iterations);
     adjust_preconditioner(solver->preconditioner());
@@ -155,7 +153,7 @@ Method preconditioned(const Attempt& attempt, const RowMatrix& matrix, int resta
   }
 }
 
-Method prepared(const Attempt& attempt, const RowMatrix& matrix, int restart) {
+LinearMethod prepared(const Attempt& attempt, const RowMatrix& matrix, int restart) {
   if (attempt.method == SolverMethod::Ldlt) return direct<SymmetricFactorization>(matrix, "LDLT");
   if (attempt.method == SolverMethod::Lu) return direct<Factorization>(matrix, "LU");
   const auto as_it_is = [](auto&) {};
@@ -206,8 +204,7 @@ LinearSolver::LinearSolver(const RowMatrix& matrix, const MatrixKind& kind, cons
 
 LinearResult LinearSolver::solve(const Eigen::VectorXd& b, const Eigen::VectorXd& guess) {
   if (b.size() == 0) return {.x = b, .solver = kind_.symmetric ? "LDLT" : "LU"};
-  std::ostringstream tried;
-  tried.imbue(std::locale::classic());
+  std::string tried;
   const std::vector<Attempt> attempts = attempts_for(matrix_.rows(), kind_, options_);
   for (; attempt_ < attempts.size(); ++attempt_, method_ = nullptr) {
     if (!method_) method_ = prepared(attempts[attempt_], matrix_, options_.restart);
@@ -215,11 +212,11 @@ LinearResult LinearSolver::solve(const Eigen::VectorXd& b, const Eigen::VectorXd
     result.backward_error = backward_error(matrix_, result.x, b);
     const double grown = growth(matrix_, result.x, b);
     if (result.backward_error <= MaxBackwardError && grown <= MaxGrowth) return result;
-    tried << " " << result.solver << " " << result.backward_error << " (growth " << grown << ")";
+    tried += " " + result.solver + " " + text(result.backward_error, 6) + " (growth " + text(grown, 6) + ")";
   }
   attempt_ = 0;
-  throw SolveError("no solution with a backward error of at most 1e-10 and a growth of at most 1e14; reached:" +
-                   tried.str());
+  throw SolveError("no solution with a backward error of at most " + text(MaxBackwardError) +
+                   " and a growth of at most " + text(MaxGrowth) + "; reached:" + tried);
 }
 
 std::optional<Eigen::VectorXd> LinearSolver::approximate(const Eigen::VectorXd& b) {

@@ -25,6 +25,10 @@ struct LinearResult {
   double backward_error = 0.0;
 };
 
+/// A way to solve with one matrix that is prepared for it. tolerance: of iterations.
+using LinearMethod =
+    std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess, double tolerance)>;
+
 /// ||b - A x|| / (||A|| ||x|| + ||b||) in the maximum norm (Rigal & Gaches 1967), infinite when x
 /// is not finite.
 double backward_error(const RowMatrix& matrix, const Eigen::VectorXd& x, const Eigen::VectorXd& b);
@@ -57,13 +61,11 @@ class LinearSolver {
   std::optional<Eigen::VectorXd> approximate(const Eigen::VectorXd& b);
 
  private:
-  using Method = std::function<LinearResult(const Eigen::VectorXd& b, const Eigen::VectorXd& guess, double tolerance)>;
-
   const RowMatrix& matrix_;
   MatrixKind kind_;
   SolverOptions options_;
   std::size_t attempt_ = 0;  // methods before it have failed
-  Method method_;            // of that attempt, once it is prepared
+  LinearMethod method_;      // of that attempt, once it is prepared
 };
 
 }  // namespace parmesan

@@ -7,7 +7,6 @@
 #include "fem/p1.h"
 #include "fem/point_sources.h"
 #include "fem/singular_vertices.h"
-#include "fem/solve.h"
 #include "fem/vector_of.h"
 #include "mesher/index.h"
 
@@ -17,8 +16,7 @@ namespace {
 
 /// What the P1 function with these values is at a place of a mesh.
 double value_at(const Mesh& mesh, const TrianglePlace& place, std::span<const double> values) {
-  const std::array<double, 3> corner = at_corners(mesh, at(place.triangle), values);
-  return place.lambda[0] * corner[0] + place.lambda[1] * corner[1] + place.lambda[2] * corner[2];
+  return p1_value(place.lambda, at_corners(mesh, at(place.triangle), values));
 }
 
 /// The values at those vertices of fine that are vertices of coarse.

@@ -16,11 +16,6 @@ namespace parmesan {
 /// that Eigen asks of preconditioners. Cost: O(n) to set up, O(n) per cycle. Deterministic.
 class AggregationMultigrid {
  public:
-  using StorageIndex = int;
-  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
-
-  AggregationMultigrid& analyzePattern(const RowMatrix&) { return *this; }
-  AggregationMultigrid& factorize(const RowMatrix& matrix) { return compute(matrix); }
   AggregationMultigrid& compute(const RowMatrix& matrix);
 
   /// One V-cycle for A x = b from x = 0.

@@ -213,9 +213,7 @@ class MeshError {
 
  private:
   ElementError error_on(const P1Element& element, std::size_t t) const {
-    std::array<double, 3> values{};
-    for (std::size_t i = 0; i < 3; ++i) values[i] = values_[static_cast<std::size_t>(mesh_.triangles[t][i])];
-    return {element, values, exact_};
+    return {element, at_corners(mesh_, t, values_), exact_};
   }
 
   const Mesh& mesh_;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "fem/adjacency.h"
 #include "fem/coefficients.h"
 #include "fem/reduction.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
@@ -77,14 +76,12 @@ Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSys
 }
 
 [[noreturn]] void refuse(const Mesh& mesh, const std::vector<int>& component, double mismatch, double magnitude) {
-  std::ostringstream message;
-  message.imbue(std::locale::classic());
-  message << "the solution is determined only up to a constant on the part of the mesh that holds the point "
-          << format_place(mesh.points[static_cast<std::size_t>(component.front())])
-          << " (no Dirichlet or Robin condition, no reaction), and the data do not balance there: the integrals of "
-             "the source and of the boundary fluxes add up to "
-          << mismatch << ", they must add up to 0 (their absolute values add up to " << magnitude << ")";
-  throw ProblemError(message.str());
+  throw ProblemError(
+      "the solution is determined only up to a constant on the part of the mesh that holds the point " +
+      text(mesh.points[static_cast<std::size_t>(component.front())]) +
+      " (no Dirichlet or Robin condition, no reaction), and the data do not balance there: the integrals of the source "
+      "and of the boundary fluxes add up to " +
+      text(mismatch, 6) + ", they must add up to 0 (their absolute values add up to " + text(magnitude, 6) + ")");
 }
 
 }  // namespace

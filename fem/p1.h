@@ -35,6 +35,11 @@ std::array<T, 3> at_corners(const Mesh& mesh, std::size_t triangle, std::span<co
           values[static_cast<std::size_t>(c)]};
 }
 
+/// Value at a place of the P1 function with these values at the three vertices.
+inline double p1_value(const Barycentric& place, const std::array<double, 3>& values) {
+  return place[0] * values[0] + place[1] * values[1] + place[2] * values[2];
+}
+
 /// Gradient of the P1 function with these values at the three vertices.
 Vector p1_gradient(const P1Element& element, const std::array<double, 3>& values);
 

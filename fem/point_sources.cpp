@@ -1,6 +1,7 @@
 #include "fem/point_sources.h"
 
 #include "fem/coefficients.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
@@ -20,7 +21,7 @@ void add_point_sources(const Mesh& mesh, const Problem& problem, std::vector<Sou
     const std::vector<TrianglePlace>& holders = places[k];
     require_finite(strength, "the strength of a point source", place);
     if (holders.empty()) {
-      throw ProblemError("the point source at " + format_place(place) + " lies outside of the domain");
+      throw ProblemError("the point source at " + text(place) + " lies outside of the domain");
     }
     const double share = strength / static_cast<double>(holders.size());
     for (const auto& [triangle, lambda] : holders) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "fem/solver_options.h"
@@ -70,6 +71,12 @@ struct Problem {
 class ProblemError : public InputError {
  public:
   using InputError::InputError;
+};
+
+/// No solution with an acceptable residual was found. Exit code 6.
+class SolveError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
 };
 
 }  // namespace parmesan

@@ -3,16 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "fem/hessian.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
-
-/// Second derivatives at a vertex.
-struct Hessian {
-  double xx = 0.0;
-  double xy = 0.0;
-  double yy = 0.0;
-};
 
 /// How second derivatives are recovered from a P1 function.
 enum class Recovery {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "fem/p1.h"
-#include "fem/strip_refinement.h"
 #include "mesher/index.h"
 
 namespace parmesan {

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "fem/adjacency.h"
-#include "fem/boundary_conditions.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/parallel.h"
 #include "fem/point_sources.h"
 #include "fem/recovery.h"
 #include "fem/side_integrals.h"
+#include "fem/sides.h"
 #include "fem/smooth_parts.h"
 #include "mesher/index.h"
 
@@ -42,8 +42,7 @@ struct Piece {
 };
 
 Piece piece(const Mesh& mesh, std::span<const double> values, std::size_t t) {
-  Piece p{p1_element(mesh, static_cast<int>(t)), {}, {}, mesh.regions[t]};
-  for (std::size_t i = 0; i < 3; ++i) p.u[i] = values[at(mesh.triangles[t][i])];
+  Piece p{p1_element(mesh, static_cast<int>(t)), at_corners(mesh, t, values), {}, mesh.regions[t]};
   p.gradient = p1_gradient(p.element, p.u);
   return p;
 }
@@ -53,7 +52,7 @@ double squared_residual(const Problem& problem, const Piece& p) {
   double sum = 0.0;
   for (const TrianglePoint& q : degree4_rule()) {
     const Point x = p.element.at(q.lambda);
-    const double u = q.lambda[0] * p.u[0] + q.lambda[1] * p.u[1] + q.lambda[2] * p.u[2];
+    const double u = p1_value(q.lambda, p.u);
     const double r = source_at(problem, x, p.region) - dot(velocity_at(problem, x, p.region), p.gradient) -
                      reaction_at(problem, x, p.region) * u;
     sum += q.weight * r * r;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/boundary_conditions.h"
+#include "fem/problem.h"
+#include "fem/sides.h"
 
 namespace parmesan {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "fem/boundary_conditions.h"
 #include "fem/problem.h"
+#include "fem/sides.h"
 
 namespace parmesan {
 

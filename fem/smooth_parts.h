@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "fem/boundary_conditions.h"
 #include "fem/problem.h"
+#include "fem/sides.h"
 #include "mesher/cracks.h"
 
 namespace parmesan {

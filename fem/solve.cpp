@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "fem/boundary_conditions.h"
 #include "fem/boundary_flux.h"
 #include "fem/defect_correction.h"
 #include "fem/discontinuity_capturing.h"
 #include "fem/recovered_diffusion.h"
+#include "fem/sides.h"
 #include "fem/vector_of.h"
 
 namespace parmesan {

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,12 +11,6 @@
 #include "fem/solution_bounds.h"
 
 namespace parmesan {
-
-/// No solution with an acceptable residual was found. Exit code 6.
-class SolveError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// The change of the solution, over its range, at which discontinuity capturing ends.
 inline constexpr double capturing_tolerance = 1e-3;

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "fem/adjacency.h"
-#include "fem/recovery.h"
+#include "fem/hessian.h"
+#include "mesher/mesh.h"
 
 namespace parmesan {
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <utility>
 
 #include "mesher/edge_finder.h"
@@ -14,6 +12,7 @@
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -121,13 +120,9 @@ std::optional<std::string> distant_chords(const Mesh& mesh, const Domain& domain
     }
   }
   if (count == 0) return std::nullopt;
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  text << count << (count > 1 ? " edges are" : " edge is") << " far from the curve, the worst by " << worst
-       << " of the height of the triangle beside it, near (" << place.x << ", " << place.y
-       << "): the mesh is not as thin as the domain there; smaller sizes help";
-  return text.str();
+  return std::to_string(count) + (count > 1 ? " edges are" : " edge is") + " far from the curve, the worst by " +
+         text(worst, 3) + " of the height of the triangle beside it, near " + text(place, 3) +
+         ": the mesh is not as thin as the domain there; smaller sizes help";
 }
 
 void require_no_crossings(const Mesh& mesh, const Domain& domain) {
@@ -139,8 +134,8 @@ void require_no_crossings(const Mesh& mesh, const Domain& domain) {
   faults.insert(faults.end(), doubled.begin(), doubled.end());
   if (faults.empty()) return;
   const Point& p = mesh.points[at(edges[at(faults.front()[0])].a)];
-  throw MeshingError("edges on curves cross near (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
-                     "), or lie on one another: the curves are nearer to one another than the edges are to them; ask "
+  throw MeshingError("edges on curves cross near " + rounded_text(p) +
+                     ", or lie on one another: the curves are nearer to one another than the edges are to them; ask "
                      "for smaller sizes there");
 }
 

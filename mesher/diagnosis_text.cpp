@@ -1,9 +1,7 @@
-#include <locale>
 #include <numeric>
-#include <sstream>
 
 #include "mesher/diagnosis.h"
-#include "mesher/geometry/message_text.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -35,19 +33,15 @@ std::int64_t total(const std::vector<Misfits>& misfits) {
 
 // "3 edges are ...: 2 where the metric jumps, the worst 12.3 at (0.5, 0.25); 1 ..."
 std::string sentence(const std::vector<Misfits>& misfits, std::string_view one, std::string_view many) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
   const std::int64_t count = total(misfits);
-  text << count << (count == 1 ? one : many);
-  std::string_view separator = ": ";
+  std::string result = std::to_string(count).append(count == 1 ? one : many);
+  const char* separator = ": ";
   for (const Misfits& m : misfits) {
-    text << separator << m.count << " " << explanation(m.reason) << ", " << (m.count == 1 ? "" : "the worst ");
-    text << m.worst;
-    text << " at " << rounded_text(m.place);
+    result += separator + std::to_string(m.count) + " " + std::string(explanation(m.reason)) + ", " +
+              (m.count == 1 ? "" : "the worst ") + text(m.worst, 3) + " at " + rounded_text(m.place);
     separator = "; ";
   }
-  return text.str();
+  return result;
 }
 
 bool any_beyond(const std::vector<Misfits>& misfits, double low, double high) {

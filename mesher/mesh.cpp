@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "mesher/errors.h"
-#include "mesher/geometry/message_text.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/mesh_sides.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 

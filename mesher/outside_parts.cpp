@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "mesher/geometry/isolated_points.h"
-#include "mesher/geometry/message_text.h"
 #include "mesher/index.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <locale>
 #include <numbers>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 #include "mesher/metric/metric_length.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -38,13 +37,9 @@ double mean(const std::vector<double>& values) {
 }
 
 std::string describe(double misfit, int refinements) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  text << "the previous mesh's edges";
-  if (refinements > 0) text << ", cut into " << std::exp2(refinements) << ",";
-  text << " miss length 1 by a factor of " << std::exp(misfit) << " in the mean";
-  return text.str();
+  const std::string cut = refinements > 0 ? ", cut into " + text(std::exp2(refinements), 3) + "," : "";
+  return "the previous mesh's edges" + cut + " miss length 1 by a factor of " + text(std::exp(misfit), 3) +
+         " in the mean";
 }
 
 }  // namespace

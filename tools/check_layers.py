@@ -14,7 +14,7 @@ PROJECT = {
     "adapt": ("adapt/", "fem/", "mesher/"),
     "tools": ("tools/", "adapt/", "fem/", "mesher/"),
 }
-FEM_READS_OF_MESHER = ("mesher/mesh.h", "mesher/errors.h", "mesher/cracks.h")
+FEM_READS_OF_MESHER = ("mesher/mesh.h", "mesher/errors.h", "mesher/cracks.h", "mesher/edge_finder.h", "mesher/number_text.h")
 LIBRARIES = {
     "mesher": ("Eigen/", "omp.h"),
     "fem": ("Eigen/", "omp.h"),

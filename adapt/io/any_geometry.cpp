@@ -31,17 +31,13 @@ void refuse_clockwise_triangles(const Mesh& mesh) {
 
 }  // namespace
 
-Domain read_any_geometry(const std::string& path, Crossings crossings) {
-  if (is_geojson_file_name(path)) return read_geojson(path, crossings);
-  if (is_geometry_file_name(path)) return read_geometry(path);
-  throw FileError(
-      path, 0,
-      "no geometry is read from this suffix; known are .poly .dat .geojson .json .mesh .meshb .msh .node .ele");
-}
-
 GeometryInput read_geometry_input(const std::string& path, Crossings crossings) {
-  const bool may_be_mesh = is_geometry_file_name(path) && !is_domain_file_name(path);
-  if (!may_be_mesh) return {read_any_geometry(path, crossings), std::nullopt};
+  if (is_geojson_file_name(path)) return {read_geojson(path, crossings), std::nullopt};
+  if (!is_geometry_file_name(path))
+    throw FileError(
+        path, 0,
+        "no geometry is read from this suffix; known are .poly .dat .geojson .json .mesh .meshb .msh .node .ele");
+  if (is_domain_file_name(path)) return {read_geometry(path), std::nullopt};
   Mesh mesh = read_mesh_file(path);
   if (mesh.triangles.empty()) return {geometry_of(std::move(mesh)), std::nullopt};
   refuse_clockwise_triangles(mesh);

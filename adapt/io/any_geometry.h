@@ -8,18 +8,15 @@
 
 namespace parmesan {
 
-/// Reads what is to be meshed from any file that is understood: those of read_geometry, and GeoJSON (.geojson, .json).
-/// crossings: of features that have to be told apart (GeoJSON); others are left to clean().
-/// Errors: as read_geometry and read_geojson.
-Domain read_any_geometry(const std::string& path, Crossings crossings = Crossings::Refuse);
-
 /// A geometry, and the mesh that it is the domain of: a file may be one whose triangles are required to stay.
 struct GeometryInput {
   Domain domain;
   std::optional<Mesh> mesh;  // with triangles, one that can be computed on
 };
 
-/// The same with the mesh. Errors: as read_any_geometry, and as read_valid_mesh.
+/// Reads what is to be meshed from any file that is understood: those of read_geometry, and GeoJSON (.geojson, .json).
+/// crossings: of features that have to be told apart (GeoJSON); others are left to clean().
+/// Errors: as read_geometry, read_geojson and read_valid_mesh.
 GeometryInput read_geometry_input(const std::string& path, Crossings crossings = Crossings::Refuse);
 
 /// Whether a file of this suffix is a domain and never a mesh.

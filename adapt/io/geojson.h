@@ -6,10 +6,6 @@
 
 namespace parmesan {
 
-/// The largest GeoJSON text that is read, and its deepest nesting.
-inline constexpr std::size_t kMaxGeoJsonBytes = std::size_t{256} << 20;
-inline constexpr int kMaxGeoJsonDepth = 64;
-
 /// Reads the polygons of a GeoJSON text (RFC 7946): Polygon, MultiPolygon, GeometryCollection, Feature or
 /// FeatureCollection. Longitude and latitude are taken as x and y; further coordinates are skipped.
 ///

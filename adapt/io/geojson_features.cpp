@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "adapt/io/geojson.h"
 #include "adapt/json_text.h"
 #include "mesher/errors.h"
 

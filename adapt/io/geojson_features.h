@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "mesher/geometry/point.h"
 
 namespace parmesan {
+
+/// The largest GeoJSON text that is read, and its deepest nesting.
+inline constexpr std::size_t kMaxGeoJsonBytes = std::size_t{256} << 20;
+inline constexpr int kMaxGeoJsonDepth = 64;
 
 /// A closed chain of points, the first one not repeated.
 using GeoRing = std::vector<Point>;

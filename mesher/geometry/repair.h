@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesher/geometry/domain.h"
-#include "mesher/geometry/message_text.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 

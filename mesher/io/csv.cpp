@@ -1,19 +1,12 @@
 #include "mesher/io/csv.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
+#include "mesher/number_text.h"
+
 namespace parmesan {
 namespace {
-
-template <class Number>
-std::string number_text(Number value) {
-  std::array<char, 32> buffer{};
-  const char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return std::string(std::string_view(buffer.data(), static_cast<std::size_t>(end - buffer.data())));
-}
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -32,9 +25,9 @@ std::string safe_text(const std::string& text) {
 }
 
 std::string cell_text(const CsvCell& cell) {
-  if (const double* number = std::get_if<double>(&cell)) return std::isfinite(*number) ? number_text(*number) : "";
-  if (const std::int64_t* number = std::get_if<std::int64_t>(&cell)) return number_text(*number);
-  if (const std::string* text = std::get_if<std::string>(&cell)) return safe_text(*text);
+  if (const double* number = std::get_if<double>(&cell)) return std::isfinite(*number) ? text(*number) : "";
+  if (const std::int64_t* number = std::get_if<std::int64_t>(&cell)) return std::to_string(*number);
+  if (const std::string* words = std::get_if<std::string>(&cell)) return safe_text(*words);
   return "";
 }
 

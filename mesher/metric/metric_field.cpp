@@ -1,17 +1,12 @@
 #include "mesher/metric/metric_field.h"
 
-#include <locale>
-#include <sstream>
-
 #include "mesher/errors.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 
 void throw_unusable(const Point& p) {
-  std::ostringstream message;
-  message.imbue(std::locale::classic());
-  message << "the metric at (" << p.x << ", " << p.y << ") is not finite and positive definite in double precision";
-  throw InputError(message.str());
+  throw InputError("the metric at " + text(p, 6) + " is not finite and positive definite in double precision");
 }
 
 }  // namespace parmesan

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <deque>
-#include <locale>
 #include <random>
-#include <sstream>
 #include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/hilbert.h"
+#include "mesher/number_text.h"
 #include "mesher/particles/alive_particles.h"
 #include "mesher/particles/forces.h"
 #include "mesher/particles/neighbourhood.h"
@@ -137,16 +136,14 @@ void ThesisSchedule::diagnose() {
   const Triangulation& mesh = particles_.mesh();
   while (!events_.empty() && events_.front().pick < report_.picks - report_.picks / 10) events_.pop_front();
   report_.lately_created_or_annihilated = static_cast<std::int64_t>(events_.size());
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << report_.alive << " of " << mesh.num_vertices() << " particles are alive after " << options_.max_picks
-       << " picks per particle: ";
+  report_.diagnosis = std::to_string(report_.alive) + " of " + text(mesh.num_vertices()) +
+                      " particles are alive after " + text(options_.max_picks, 6) + " picks per particle: ";
   if (events_.empty()) {
     const auto slower = [&](VertexId a, VertexId b) {
       return particles_.metric(a).length(particles_.velocity(a)) < particles_.metric(b).length(particles_.velocity(b));
     };
     report_.unrest = mesh.point(*std::ranges::max_element(alive_.all(), slower));
-    text << "their motion does not die out";
+    report_.diagnosis += "their motion does not die out";
   } else {
     const auto num_near = [&](const Event& event) {
       MetricHint hint = -1;
@@ -155,10 +152,9 @@ void ThesisSchedule::diagnose() {
                                    [&](const Event& other) { return m.length(other.place - event.place) < 2; });
     };
     report_.unrest = std::ranges::max_element(events_, {}, num_near)->place;
-    text << "they are created and annihilated in turn";
+    report_.diagnosis += "they are created and annihilated in turn";
   }
-  text << ", most near (" << report_.unrest.x << ", " << report_.unrest.y << ")";
-  report_.diagnosis = text.str();
+  report_.diagnosis += ", most near " + text(report_.unrest, 6);
 }
 
 bool ThesisSchedule::is_over() const {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesher/errors.h"
-#include "mesher/geometry/message_text.h"
+#include "mesher/number_text.h"
 #include "mesher/triangulation/flood.h"
 #include "mesher/triangulation/locate.h"
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
+#include "adapt/case_schema.h"
 #include "case_support.h"
 
 namespace parmesan {

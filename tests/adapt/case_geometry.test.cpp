@@ -1,15 +1,17 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 #include "adapt/case.h"
 #include "adapt/shapes.h"
 #include "case_support.h"
+#include "tests/support/temporary_folder.h"
 
 namespace parmesan {
 namespace {
+
+using support::TemporaryFolder;
 
 using Catch::Contains;
 using support::issue_text;
@@ -42,25 +44,6 @@ std::string name_at(const Domain& domain, const Point& p) {
   }
   return "";
 }
-
-/// Writes a file into a fresh folder that goes away with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / ("parmesan_case_" + std::to_string(counter_++))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_ / "inside");
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  inline static int counter_ = 0;
-  std::filesystem::path path_;
-};
 
 const std::string kTriangle = "3 2 0 1\n1 0 0\n2 1 0\n3 0 1\n3 1\n1 1 2 5\n2 2 3 5\n3 3 1 9\n0\n";
 
@@ -244,7 +227,7 @@ TEST_CASE("A geometry file is read from beside the case", "[adapt][case]") {
   const TemporaryFolder folder;
   folder.write("inside/triangle.poly", kTriangle);
   const std::string text = with_geometry(R"("file": "inside/triangle.poly", "labels": {"9": "west"})");
-  const Case c = parse_case(text, folder.path("case.json"));
+  const Case c = parse_case(text, folder / "case.json");
   CHECK(c.domain.points.size() == 3);
   CHECK(c.domain.label_names.at(9) == "west");
   CHECK(c.problem.boundary.contains(5));
@@ -254,12 +237,12 @@ TEST_CASE("A geometry file is read from beside the case", "[adapt][case]") {
 TEST_CASE("A case cannot name files elsewhere or that are not files", "[adapt][case][errors]") {
   const TemporaryFolder folder;
   folder.write("inside/secret.poly", kTriangle);
-  std::filesystem::create_symlink(folder.path("inside/secret.poly"), folder.path("inside/link.poly"));
-  std::filesystem::create_directories(folder.path("case"));
-  std::filesystem::create_symlink(folder.path("inside/secret.poly"), folder.path("case/out.poly"));
+  std::filesystem::create_symlink(folder / "inside/secret.poly", folder / "inside/link.poly");
+  std::filesystem::create_directories(folder / "case");
+  std::filesystem::create_symlink(folder / "inside/secret.poly", folder / "case/out.poly");
   const auto issue = [&folder](const std::string& name, const std::string& file) {
     try {
-      parse_case(with_geometry("\"file\": \"" + name + "\""), folder.path(file));
+      parse_case(with_geometry("\"file\": \"" + name + "\""), folder / file);
     } catch (const CaseError& error) {
       return error.issues().front().problem;
     }
@@ -291,7 +274,7 @@ TEST_CASE("regions that share a name are meant together", "[adapt][case]") {
   const auto read = [&](const std::string& file, const std::string& rest, const std::string& diffusion) {
     return parse_case(R"({"geometry": {"file": "inside/)" + file + R"("})" + rest + R"(, "problem": {"diffusion": )" +
                           diffusion + R"(, "boundary": {"*": {"dirichlet": 0}}}})",
-                      folder.path("case.json"));
+                      folder / "case.json");
   };
   const std::string diffusion = GENERATE(R"({"steel": 40, "*": 1})", R"({"steel": 40, "air": 1})");
   const Case three = read("three.geojson", "", diffusion);
@@ -304,7 +287,7 @@ TEST_CASE("regions that share a name are meant together", "[adapt][case]") {
     const std::string text = R"({"geometry": {"file": "inside/)" + file + R"(", "required": [")" + name +
                              R"("]}, "problem": {"interpolate": "x"}, "functionals": {"all": {"integral": ")" + name +
                              R"("}}})";
-    return parse_case(text, folder.path("case.json")).required_regions.size();
+    return parse_case(text, folder / "case.json").required_regions.size();
   };
   CHECK(required("three.geojson", "steel") == 2);
   CHECK(required("three.geojson", "air") == 1);

@@ -10,6 +10,7 @@
 #include "adapt/adapt_loop.h"
 #include "mesher/errors.h"
 #include "tests/adapt/loop_cases.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 using support::goal_case;
@@ -46,9 +47,7 @@ TEST_CASE("a loop resumed after any row, through a checkpoint, ends bit by bit a
   LoopResult whole;
   for (const LoopState& state : states_of(input, whole)) {
     const Checkpoint read = decode_checkpoint(encode_checkpoint(state, some_case));
-    LoopOptions options;
-    options.resume = &read.state;
-    const LoopResult resumed = adapt(input, options);
+    const LoopResult resumed = adapt(input, {}, {.resume = &read.state});
     INFO("resumed after row " << state.history.size());
     CHECK(resumed.last.mesh.points == whole.last.mesh.points);
     CHECK(resumed.last.mesh.triangles == whole.last.mesh.triangles);
@@ -148,19 +147,18 @@ TEST_CASE("a checkpoint of another version of the program is refused as such", "
 
 TEST_CASE("two generations of checkpoints are kept, and the older one serves where the newer is damaged",
           "[adapt][resume]") {
-  const TemporaryFolder folder("checkpoints");
+  const TemporaryFolder folder;
   LoopResult result;
   const auto states =
       states_of(interpolation_case("sin(6*x)*y^2", R"({"vertices": 200, "max_iterations": 4})"), result);
   REQUIRE(states.size() == 4);
-  std::filesystem::create_directories(folder.path());
   CHECK_FALSE(find_checkpoint(folder.path()).checkpoint);
   for (const LoopState& state : states) {
     write_checkpoint(folder.path(), state, some_case);
     CHECK(find_checkpoint(folder.path()).checkpoint->state.history.size() == state.history.size());
   }
-  const std::string newest = folder.file("checkpoint/odd.state");  // rows count from 0
-  std::ofstream(folder.file("checkpoint/even.state"), std::ios::app) << "damaged";
+  const std::string newest = folder / "checkpoint/odd.state";  // rows count from 0
+  std::ofstream(folder / "checkpoint/even.state", std::ios::app) << "damaged";
   CHECK(find_checkpoint(folder.path()).problems.empty());  // of what is not needed nothing is read but its head
   write_checkpoint(folder.path(), states[2], some_case);
   SECTION("cut short") { std::filesystem::resize_file(newest, 1000); }

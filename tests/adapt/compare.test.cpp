@@ -4,10 +4,10 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <sstream>
 
 #include "mesher/errors.h"
 #include "tests/adapt/loop_cases.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 
@@ -25,7 +25,7 @@ CompareResult small_comparison(const support::TemporaryFolder& folder, std::vect
 }  // namespace
 
 TEST_CASE("compare_case ranks anisotropic before isotropic before uniform meshes", "[adapt][compare]") {
-  const support::TemporaryFolder folder("compare");
+  const support::TemporaryFolder folder;
   std::vector<std::string> lines;
   const CompareResult result = small_comparison(folder, lines);
   const auto error_of = [&result](MeshFamily family) {
@@ -61,7 +61,7 @@ TEST_CASE("compare_case ranks anisotropic before isotropic before uniform meshes
 }
 
 TEST_CASE("no order is fitted to errors that are round-off, and the table says why", "[adapt][compare]") {
-  const support::TemporaryFolder folder("compare_round_off");
+  const support::TemporaryFolder folder;
   CompareOptions options;
   options.out_dir = folder.path();
   options.sizes = {100, 200};
@@ -74,14 +74,14 @@ TEST_CASE("no order is fitted to errors that are round-off, and the table says w
 
 TEST_CASE("compare_case refuses sizes that do not ascend", "[adapt][compare][errors]") {
   CompareOptions options;
-  options.out_dir = support::TemporaryFolder("compare_errors").path();
+  options.out_dir = support::TemporaryFolder().path();
   options.sizes =
       GENERATE(std::vector<std::int64_t>{}, std::vector<std::int64_t>{400, 400}, std::vector<std::int64_t>{2, 400});
   CHECK_THROWS_AS(compare_case(support::interpolation_case("x*x", "{}"), options), InputError);
 }
 
 TEST_CASE("a comparison that failed leaves its folder to the next", "[adapt][compare][errors]") {
-  const support::TemporaryFolder folder("compare_fails");
+  const support::TemporaryFolder folder;
   CompareOptions options;
   options.out_dir = folder.path();
   options.sizes = {200, 400};
@@ -92,7 +92,7 @@ TEST_CASE("a comparison that failed leaves its folder to the next", "[adapt][com
 }
 
 TEST_CASE("a comparison keeps within the safety limit", "[adapt][compare][errors]") {
-  const support::TemporaryFolder folder("compare_limit");
+  const support::TemporaryFolder folder;
   const Case input = support::interpolation_case("tanh(20*(x - y^2))", "{}");
   CompareOptions options;
   options.out_dir = folder.path();
@@ -106,14 +106,14 @@ TEST_CASE("a comparison keeps within the safety limit", "[adapt][compare][errors
 }
 
 TEST_CASE("an interrupted comparison replaces nothing while it has no mesh, and says that it was", "[adapt][compare]") {
-  const support::TemporaryFolder folder("compare_stopped");
+  const support::TemporaryFolder folder;
   const Case input = support::interpolation_case("tanh(20*(x - y^2))", "{}");
   CompareOptions options;
   options.out_dir = folder.path();
   options.sizes = {100};
   options.max_uniform_vertices = 400;
   compare_case(input, options);
-  const auto before = std::filesystem::last_write_time(folder.file("summary.json"));
+  const auto before = std::filesystem::last_write_time(folder / "summary.json");
   std::atomic<bool> stop{true};
   options.interrupted = &stop;
   options.overwrite = true;
@@ -122,7 +122,7 @@ TEST_CASE("an interrupted comparison replaces nothing while it has no mesh, and 
   CHECK(none.out_dir.empty());
   for (const char* name : {"case.json", "compare.csv", "report.html"}) CHECK(folder.has(name));
   REQUIRE(folder.has("summary.json"));
-  CHECK(std::filesystem::last_write_time(folder.file("summary.json")) == before);
+  CHECK(std::filesystem::last_write_time(folder / "summary.json") == before);
   stop = false;
   options.progress = [&stop](const std::string&) { stop = true; };
   const CompareResult some = compare_case(input, options);

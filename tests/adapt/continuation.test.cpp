@@ -79,9 +79,8 @@ TEST_CASE("an interrupt during continuation leaves a row of the case's own probl
   CHECK(cut.summary.stop_reason == StopReason::Interrupted);
   CHECK((cut.last.values == uniform.last.values));
   const LoopResult whole = adapt(input, {});
-  options.resume = &at_the_cut;
   interrupted = false;
-  const LoopResult resumed = adapt(input, options);
+  const LoopResult resumed = adapt(input, options, {.resume = &at_the_cut});
   CHECK(resumed.summary.iterations.size() == 2);
   CHECK((resumed.last.values == whole.last.values));
 }

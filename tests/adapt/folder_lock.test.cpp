@@ -4,17 +4,15 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "mesher/errors.h"
-#include "tests/adapt/loop_cases.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 
 TEST_CASE("a folder that is locked cannot be locked again until the lock is gone", "[adapt][run][errors]") {
-  const support::TemporaryFolder folder("lock");
-  std::filesystem::create_directories(folder.path());
+  const support::TemporaryFolder folder;
   {
     FolderLock first(folder.path());
     const FolderLock moved(std::move(first));
@@ -25,16 +23,14 @@ TEST_CASE("a folder that is locked cannot be locked again until the lock is gone
 }
 
 TEST_CASE("a lock file that was left behind does not matter", "[adapt][run]") {
-  const support::TemporaryFolder folder("lock_stale");
-  std::filesystem::create_directories(folder.path());
-  std::ofstream(folder.file(".lock")) << "123456789";
+  const support::TemporaryFolder folder;
+  folder.write(".lock", "123456789");
   CHECK_NOTHROW(FolderLock(folder.path()));
 }
 
 TEST_CASE("a lock that is a link is refused", "[adapt][run][errors]") {
-  const support::TemporaryFolder folder("lock_link");
-  std::filesystem::create_directories(folder.path());
-  std::filesystem::create_symlink(folder.file("elsewhere"), folder.file(".lock"));
+  const support::TemporaryFolder folder;
+  std::filesystem::create_symlink(folder / "elsewhere", folder / ".lock");
   CHECK_THROWS_AS(FolderLock(folder.path()), FileError);
   CHECK_FALSE(folder.has("elsewhere"));
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "adapt/adapt_loop.h"
 #include "fem/norms.h"
@@ -12,6 +10,7 @@
 #include "mesher/io/medit.h"
 #include "mesher/io/medit_fields.h"
 #include "tests/support/meshes.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 
@@ -22,10 +21,9 @@ double layer(const Point& p) { return std::tanh(10.0 * (p.x - p.y * p.y)); }
 /// A folder with a mesh and the values of a function on it, and the case that names them.
 class GivenCase {
  public:
-  explicit GivenCase(const std::string& name, const Mesh& mesh) : folder_("given_" + name) {
-    std::filesystem::create_directories(folder_.path());
-    write_medit(folder_.file("u.mesh"), mesh);
-    write_medit_fields(folder_.file("u.sol"), {{{"u", 1, interpolate(mesh, layer)}}, {}});
+  explicit GivenCase(const Mesh& mesh) {
+    write_medit(folder_ / "u.mesh", mesh);
+    write_medit_fields(folder_ / "u.sol", {{{"u", 1, interpolate(mesh, layer)}}, {}});
   }
 
   const support::TemporaryFolder& folder() const { return folder_; }
@@ -33,7 +31,7 @@ class GivenCase {
   Case read(const std::string& interpolate, const std::string& rest = "") const {
     return parse_case(R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}, "problem": {"interpolate": )" +
                           interpolate + R"(}, "mesher": {"preset": "fast"}, "initial": {"vertices": 100})" + rest + "}",
-                      folder_.file("case.json"));
+                      folder_ / "case.json");
   }
 
  private:
@@ -59,23 +57,23 @@ TEST_CASE("function_of is the P1 function with the values at the vertices", "[ad
 }
 
 TEST_CASE("a domain that reaches beyond the mesh of its function is warned of", "[adapt][given][loop]") {
-  const auto warnings = [](const char* name, double width) {
+  const auto warnings = [](double width) {
     Mesh mesh = support::rectangle_mesh(8, 8);
     for (Point& p : mesh.points) p.x *= width;
-    const GivenCase data(name, mesh);
+    const GivenCase data(mesh);
     return adapt(data.read(files, R"(, "targets": {"vertices": 100, "max_iterations": 1})"), {}).summary.warnings;
   };
   const auto says = [](const std::string& text) { return text.find("reaches beyond") != std::string::npos; };
-  const std::vector<std::string> short_of = warnings("short", 0.75);
+  const std::vector<std::string> short_of = warnings(0.75);
   const auto found = std::ranges::find_if(short_of, says);
   REQUIRE(found != short_of.end());
   CHECK_THAT(*found, Catch::Contains("by about 0.2"));
-  CHECK(std::ranges::none_of(warnings("enough", 1.0), says));
-  CHECK(std::ranges::none_of(warnings("more", 1.5), says));
+  CHECK(std::ranges::none_of(warnings(1.0), says));
+  CHECK(std::ranges::none_of(warnings(1.5), says));
 }
 
 TEST_CASE("a mesh is adapted to a function from a file as to its expression", "[adapt][given][loop][slow]") {
-  const GivenCase data("loop", support::rectangle_mesh(160, 160));
+  const GivenCase data(support::rectangle_mesh(160, 160));
   const Case given = data.read(files, R"(, "targets": {"vertices": 400, "max_iterations": 8})");
   REQUIRE(given.given);
   const LoopResult run = adapt(given, {});
@@ -87,14 +85,10 @@ TEST_CASE("a mesh is adapted to a function from a file as to its expression", "[
 }
 
 TEST_CASE("fields in a mesh file are found by their names", "[adapt][given][case]") {
-  const GivenCase data("names", support::rectangle_mesh(3, 3));
-  std::ofstream(data.folder().file("two.sol")) << "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 16\n2 1 1\n"
-                                               <<
-      [] {
-        std::string rows;
-        for (int i = 0; i < 16; ++i) rows += "1 " + std::to_string(i) + "\n";
-        return rows;
-      }() << "End\n";
+  const GivenCase data(support::rectangle_mesh(3, 3));
+  std::string rows;
+  for (int i = 0; i < 16; ++i) rows += "1 " + std::to_string(i) + "\n";
+  data.folder().write("two.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices 16\n2 1 1\n" + rows + "End\n");
   const std::string two = R"({"file": "two.sol", "mesh": "u.mesh")";
   CHECK_THROWS_WITH(data.read(two + "}"), Catch::Contains("/problem/interpolate/field: must name one of several"));
   CHECK_THROWS_WITH(data.read(two + R"(, "field": "nothing"})"), Catch::Contains("there is no field 'nothing'"));
@@ -102,14 +96,14 @@ TEST_CASE("fields in a mesh file are found by their names", "[adapt][given][case
 }
 
 TEST_CASE("data that cannot be used are refused with the reason", "[adapt][given][case][errors]") {
-  const GivenCase data("errors", support::rectangle_mesh(3, 3));
+  const GivenCase data(support::rectangle_mesh(3, 3));
   CHECK_THROWS_WITH(data.read(R"({"file": "v.sol", "mesh": "u.mesh"})"),
                     Catch::Contains("/problem/interpolate/file: cannot read 'v.sol': there is no such file"));
   CHECK_THROWS_WITH(data.read(R"({"file": "u.sol", "mesh": "../u.mesh"})"),
                     Catch::Contains("/problem/interpolate/mesh: must name a file beside or below"));
   CHECK_THROWS_WITH(data.read(R"({"file": "u.sol"})"), Catch::Contains("the key 'mesh' is missing"));
   CHECK_THROWS_WITH(data.read(R"({"file": "u.sol", "mesh": "u.mesh", "fiel": "u"})"), Catch::Contains("unknown key"));
-  write_medit(data.folder().file("large.mesh"), support::rectangle_mesh(4, 4));
+  write_medit(data.folder() / "large.mesh", support::rectangle_mesh(4, 4));
   CHECK_THROWS_WITH(data.read(R"({"file": "u.sol", "mesh": "large.mesh"})"),
                     Catch::Contains("has 16 values; the mesh has 25 vertices"));
   CHECK_THROWS_WITH(data.read(files, R"(, "metric": {"recovery": "exact"})"),

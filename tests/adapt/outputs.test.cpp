@@ -2,43 +2,42 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"
-#include "tests/adapt/loop_cases.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 
 TEST_CASE("prepare_folder makes folders, also nested ones", "[adapt][run]") {
-  const support::TemporaryFolder folder("prepare");
-  prepare_folder(folder.file("a/b"), EarlierFiles::Refuse);
+  const support::TemporaryFolder folder;
+  prepare_folder(folder / "a/b", EarlierFiles::Refuse);
   CHECK(folder.has("a/b"));
-  prepare_folder(folder.file("a/b"), EarlierFiles::Refuse);  // empty ones may be used again
+  prepare_folder(folder / "a/b", EarlierFiles::Refuse);  // empty ones may be used again
 }
 
 TEST_CASE("make_subfolder makes folders and follows no link out of the first", "[adapt][run][errors]") {
-  const support::TemporaryFolder folder("subfolder");
-  std::filesystem::create_directories(folder.file("out"));
-  std::filesystem::create_directories(folder.file("elsewhere"));
-  CHECK(make_subfolder(folder.file("out"), "a/b") == folder.file("out/a/b"));
-  CHECK(make_subfolder(folder.file("out"), "a/b") == folder.file("out/a/b"));
+  const support::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "out");
+  std::filesystem::create_directories(folder / "elsewhere");
+  CHECK(make_subfolder(folder / "out", "a/b") == folder / "out/a/b");
+  CHECK(make_subfolder(folder / "out", "a/b") == folder / "out/a/b");
   CHECK(folder.has("out/a/b"));
-  std::filesystem::create_directory_symlink(folder.file("elsewhere"), folder.file("out/link"));
-  std::filesystem::create_directory_symlink(folder.file("none"), folder.file("out/dangling"));
-  std::ofstream(folder.file("out/file")) << "text";
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/link");
+  std::filesystem::create_directory_symlink(folder / "none", folder / "out/dangling");
+  folder.write("out/file", "text");
   for (const char* name : {"link", "link/a", "dangling", "file", "file/a"})
-    CHECK_THROWS_AS(make_subfolder(folder.file("out"), name), FileError);
-  CHECK(std::filesystem::is_empty(folder.file("elsewhere")));
-  std::filesystem::create_directory_symlink(folder.file("elsewhere"), folder.file("given"));
-  CHECK_NOTHROW(make_subfolder(folder.file("given"), "a"));  // the folder itself is the user's own choice
+    CHECK_THROWS_AS(make_subfolder(folder / "out", name), FileError);
+  CHECK(std::filesystem::is_empty(folder / "elsewhere"));
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "given");
+  CHECK_NOTHROW(make_subfolder(folder / "given", "a"));  // the folder itself is the user's own choice
 }
 
 TEST_CASE("only an earlier run's files are removed, and only where they may be replaced", "[adapt][run][errors]") {
-  const support::TemporaryFolder folder("prepare_kept");
+  const support::TemporaryFolder folder;
   prepare_folder(folder.path(), EarlierFiles::Refuse);
-  std::ofstream(folder.file("thesis.tex")) << "text";
-  std::ofstream(folder.file("summary.json")) << "{}";
+  folder.write("thesis.tex", "text");
+  folder.write("summary.json", "{}");
   CHECK_THROWS_AS(prepare_folder(folder.path(), EarlierFiles::Refuse), FileError);
   CHECK(folder.has("summary.json"));
   prepare_folder(folder.path(), EarlierFiles::Replace);
@@ -49,8 +48,8 @@ TEST_CASE("only an earlier run's files are removed, and only where they may be r
 }
 
 TEST_CASE("prepare_folder refuses a name that is taken by a file", "[adapt][run][errors]") {
-  const support::TemporaryFolder folder("prepare_file");
+  const support::TemporaryFolder folder;
   prepare_folder(folder.path(), EarlierFiles::Refuse);
-  std::ofstream(folder.file("out")) << "text";
-  CHECK_THROWS_AS(prepare_folder(folder.file("out"), EarlierFiles::Replace), FileError);
+  folder.write("out", "text");
+  CHECK_THROWS_AS(prepare_folder(folder / "out", EarlierFiles::Replace), FileError);
 }

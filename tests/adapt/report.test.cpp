@@ -4,16 +4,16 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "adapt/checkpoint.h"
 #include "adapt/run_case.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
 #include "tests/adapt/loop_cases.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
+using support::content_of;
 using support::TemporaryFolder;
 
 namespace {
@@ -31,13 +31,6 @@ RunResult run_into(const TemporaryFolder& folder) {
   RunOptions options;
   options.out_dir = folder.path();
   return run_case(hostile_case(), options);
-}
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 std::size_t count(const std::string& text, const std::string& word) {
@@ -71,14 +64,14 @@ std::string decoded(const std::string& base64) {
 }  // namespace
 
 TEST_CASE("the report of a run has its summary and its mesh, and loads nothing", "[adapt][report]") {
-  const TemporaryFolder folder("report_run");
+  const TemporaryFolder folder;
   run_into(folder);
-  const std::string page = content(folder.file("report.html"));
+  const std::string page = content_of(folder / "report.html");
   const auto data = nlohmann::json::parse(script(page, "data"));
   REQUIRE(data["entries"].size() == 1);
-  CHECK(data["entries"][0]["summary"] == nlohmann::json::parse(content(folder.file("summary.json"))));
+  CHECK(data["entries"][0]["summary"] == nlohmann::json::parse(content_of(folder / "summary.json")));
   CHECK(data["entries"][0]["case"]["title"] == hostile);
-  const Mesh mesh = read_medit(folder.file("mesh.mesh"));
+  const Mesh mesh = read_medit(folder / "mesh.mesh");
   const std::string points = decoded(script(page, "array-0-points"));
   REQUIRE(points.size() == mesh.points.size() * 2 * sizeof(double));
   std::vector<Point> drawn(mesh.points.size());
@@ -91,21 +84,21 @@ TEST_CASE("the report of a run has its summary and its mesh, and loads nothing",
 
 TEST_CASE("the report carries values as they are, also those that differ in their last digits only or are very small",
           "[adapt][report]") {
-  const TemporaryFolder folder("report_digits");
+  const TemporaryFolder folder;
   RunOptions options;
   options.out_dir = folder.path();
   const std::string function = GENERATE("300 + 1e-6*sin(3*x)*y^2", "1e-50*sin(3*x)*y^2", "1e50*sin(3*x)*y^2");
   run_case(support::interpolation_case(function, R"({"vertices": 200, "max_iterations": 1})"), options);
   const std::vector<double> values = find_checkpoint(folder.path()).checkpoint.value().state.last.values;
-  const std::string carried = decoded(script(content(folder.file("report.html")), "array-0-solution"));
+  const std::string carried = decoded(script(content_of(folder / "report.html"), "array-0-solution"));
   REQUIRE(carried.size() == values.size() * sizeof(double));
   CHECK(std::memcmp(carried.data(), values.data(), carried.size()) == 0);
 }
 
 TEST_CASE("no name in a case can end or begin an element of the report", "[adapt][report]") {
-  const TemporaryFolder folder("report_hostile");
+  const TemporaryFolder folder;
   run_into(folder);
-  const std::string page = content(folder.file("report.html"));
+  const std::string page = content_of(folder / "report.html");
   CHECK(count(page, "alert(1)") > 0);  // it is there, as text
   CHECK(count(page, "<script>alert") == 0);
   CHECK(count(page, "<!--") == 0);
@@ -113,9 +106,9 @@ TEST_CASE("no name in a case can end or begin an element of the report", "[adapt
 }
 
 TEST_CASE("histograms count every edge, angle and triangle", "[adapt][report]") {
-  const TemporaryFolder folder("report_counts");
+  const TemporaryFolder folder;
   const RunResult run = run_into(folder);
-  const auto data = nlohmann::json::parse(script(content(folder.file("report.html")), "data"));
+  const auto data = nlohmann::json::parse(script(content_of(folder / "report.html"), "data"));
   const auto total = [&](const char* name) {
     long sum = 0;
     for (const long n : data["entries"][0]["histograms"][name]["counts"]) sum += n;
@@ -128,44 +121,44 @@ TEST_CASE("histograms count every edge, angle and triangle", "[adapt][report]") 
 }
 
 TEST_CASE("a report that is written again is the same, and several runs go into one page", "[adapt][report]") {
-  const TemporaryFolder folder("report_again");
+  const TemporaryFolder folder;
   run_into(folder);
-  write_report(folder.file("again.html"), {folder.path()});
-  CHECK(content(folder.file("again.html")) == content(folder.file("report.html")));
-  write_report(folder.file("two.html"), {folder.path(), folder.path()});
-  const std::string two = content(folder.file("two.html"));
+  write_report(folder / "again.html", {folder.path()});
+  CHECK(content_of(folder / "again.html") == content_of(folder / "report.html"));
+  write_report(folder / "two.html", {folder.path(), folder.path()});
+  const std::string two = content_of(folder / "two.html");
   CHECK(nlohmann::json::parse(script(two, "data"))["entries"].size() == 2);
   CHECK(script(two, "array-1-points") == script(two, "array-0-points"));
 }
 
 TEST_CASE("a report needs a finished run whose files are what we wrote", "[adapt][report][errors]") {
-  const TemporaryFolder folder("report_errors");
+  const TemporaryFolder folder;
   run_into(folder);
-  const std::string out = folder.file("page.html");
-  SECTION("no such folder") { CHECK_THROWS_AS(write_report(out, {folder.file("nothing")}), FileError); }
+  const std::string out = folder / "page.html";
+  SECTION("no such folder") { CHECK_THROWS_AS(write_report(out, {folder / "nothing"}), FileError); }
   SECTION("not finished") {
-    std::filesystem::remove(folder.file("summary.json"));
+    std::filesystem::remove(folder / "summary.json");
     CHECK_THROWS_WITH(write_report(out, {folder.path()}), Catch::Contains("summary.json"));
   }
   SECTION("not JSON") {
-    std::ofstream(folder.file("case.json")) << "{";
+    folder.write("case.json", "{");
     CHECK_THROWS_AS(write_report(out, {folder.path()}), FileError);
   }
   SECTION("nested a hundred thousand deep") {
-    std::ofstream(folder.file("case.json")) << "{\"a\":" << std::string(100000, '[') << std::string(100000, ']') << "}";
+    folder.write("case.json", "{\"a\":" + std::string(100000, '[') + std::string(100000, ']') + "}");
     CHECK_THROWS_AS(write_report(out, {folder.path()}), FileError);
   }
   SECTION("fields of other types than ours") {
-    std::ofstream(folder.file("case.json")) << R"({"problem": 3, "parameters": [1]})";
+    folder.write("case.json", R"({"problem": 3, "parameters": [1]})");
     CHECK_THROWS_AS(write_report(out, {folder.path()}), FileError);
   }
   CHECK_FALSE(folder.has("page.html"));
 }
 
 TEST_CASE("where both checkpoints are damaged the report does without a mesh", "[adapt][report]") {
-  const TemporaryFolder folder("report_without");
+  const TemporaryFolder folder;
   run_into(folder);
-  std::filesystem::remove_all(folder.file("checkpoint"));
-  write_report(folder.file("report.html"), {folder.path()});
-  CHECK(content(folder.file("report.html")).find("array-0-points") == std::string::npos);
+  std::filesystem::remove_all(folder / "checkpoint");
+  write_report(folder / "report.html", {folder.path()});
+  CHECK(content_of(folder / "report.html").find("array-0-points") == std::string::npos);
 }

@@ -2,28 +2,21 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "adapt/compare.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/msh.h"
 #include "tests/adapt/loop_cases.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
+using support::content_of;
 using support::interpolation_case;
 using support::TemporaryFolder;
 
 namespace {
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 RunOptions into(const TemporaryFolder& folder) {
   RunOptions options;
@@ -36,29 +29,29 @@ const char* const small = R"({"vertices": 200})";
 }  // namespace
 
 TEST_CASE("run_case leaves what users were promised", "[adapt][run]") {
-  const TemporaryFolder folder("run_files");
+  const TemporaryFolder folder;
   const RunResult result = run_case(interpolation_case("sin(3*x)*y^2", small), into(folder));
   CHECK(result.summary.targets_met);
   for (const char* name :
        {"case.json", "iterations/000/mesh.vtu", "iterations/000/mesh.mesh", "iterations/000/metric.sol", "mesh.vtu",
         "mesh.mesh", "mesh.svg", "run.pvd", "convergence.csv", "summary.json"})
     CHECK(folder.has(name));
-  const auto summary = nlohmann::json::parse(content(folder.file("summary.json")));
+  const auto summary = nlohmann::json::parse(content_of(folder / "summary.json"));
   CHECK(summary["stop_reason"] == "vertices");
   CHECK(summary["iterations"].size() == result.summary.iterations.size());
-  const Mesh mesh = read_medit(folder.file("mesh.mesh"));
+  const Mesh mesh = read_medit(folder / "mesh.mesh");
   CHECK(mesh.num_vertices() == result.summary.iterations.back().vertices);
-  CHECK(read_medit_metric(folder.file("iterations/001/metric.sol")).size() ==
+  CHECK(read_medit_metric(folder / "iterations/001/metric.sol").size() ==
         static_cast<std::size_t>(result.summary.iterations[1].vertices));
 }
 
 TEST_CASE("a Gmsh mesh of a run has the names of its sides, and its fields", "[adapt][run]") {
-  const TemporaryFolder folder("run_msh");
+  const TemporaryFolder folder;
   Case input = support::poisson_case("x*y", small);
   input.output.formats = {"msh", "mesh"};
   run_case(input, into(folder));
-  const MeshData data = read_msh(folder.file("mesh.msh"));
-  const Mesh mesh = read_medit(folder.file("mesh.mesh"));
+  const MeshData data = read_msh(folder / "mesh.msh");
+  const Mesh mesh = read_medit(folder / "mesh.mesh");
   CHECK(data.mesh.points == mesh.points);
   CHECK(data.mesh.num_triangles() == mesh.num_triangles());
   std::set<std::string> names;
@@ -69,35 +62,35 @@ TEST_CASE("a Gmsh mesh of a run has the names of its sides, and its fields", "[a
 }
 
 TEST_CASE("the same case leaves the same mesh file", "[adapt][run]") {
-  const TemporaryFolder a("run_same_a");
-  const TemporaryFolder b("run_same_b");
+  const TemporaryFolder a;
+  const TemporaryFolder b;
   run_case(interpolation_case("sin(3*x)*y^2", small), into(a));
   run_case(interpolation_case("sin(3*x)*y^2", small), into(b));
-  CHECK(content(a.file("mesh.mesh")) == content(b.file("mesh.mesh")));
+  CHECK(content_of(a / "mesh.mesh") == content_of(b / "mesh.mesh"));
 }
 
 TEST_CASE("run_case does not touch a folder with files unless told to", "[adapt][run][errors]") {
-  const TemporaryFolder folder("run_overwrite");
+  const TemporaryFolder folder;
   RunOptions options = into(folder);
   const Case input = interpolation_case("sin(3*x)*y^2", small);
   run_case(input, options);
-  std::ofstream(folder.file("notes.txt")) << "mine";
+  folder.write("notes.txt", "mine");
   CHECK_THROWS_AS(run_case(input, options), FileError);
   CHECK(folder.has("summary.json"));
   options.overwrite = true;
   run_case(input, options);
   CHECK(folder.has("summary.json"));
-  CHECK(content(folder.file("notes.txt")) == "mine");
+  CHECK(content_of(folder / "notes.txt") == "mine");
 }
 
 TEST_CASE("a run that fails before its first iteration leaves the earlier run that it should replace",
           "[adapt][run][errors]") {
-  const TemporaryFolder folder("run_fails_over");
+  const TemporaryFolder folder;
   RunOptions options = into(folder);
   run_case(interpolation_case("log(x + 2)", small), options);
   const auto names = {"summary.json", "case.json", "mesh.mesh", "report.html", "iterations/000/mesh.vtu"};
   std::vector<std::string> before;
-  for (const char* name : names) before.push_back(content(folder.file(name)));
+  for (const char* name : names) before.push_back(content_of(folder / name));
   options.overwrite = true;
   CHECK_THROWS_AS(run_case(interpolation_case("log(x - 2)", small), options), InputError);
   CompareOptions comparison;
@@ -105,13 +98,13 @@ TEST_CASE("a run that fails before its first iteration leaves the earlier run th
   comparison.overwrite = true;
   CHECK_THROWS_AS(compare_case(interpolation_case("log(x - 2)", small), comparison), InputError);
   std::vector<std::string> after;
-  for (const char* name : names) after.push_back(content(folder.file(name)));
+  for (const char* name : names) after.push_back(content_of(folder / name));
   CHECK(std::ranges::find(before, "") == before.end());
   CHECK(after == before);
 }
 
 TEST_CASE("a run that fails leaves no summary", "[adapt][run][errors]") {
-  const TemporaryFolder folder("run_fails");
+  const TemporaryFolder folder;
   RunOptions options = into(folder);
   options.max_vertices = 150;
   CHECK_THROWS_AS(run_case(interpolation_case("sin(3*x)*y^2", R"({"l2_error": 1e-9})"), options), LimitError);
@@ -121,7 +114,7 @@ TEST_CASE("a run that fails leaves no summary", "[adapt][run][errors]") {
 
 TEST_CASE("after a run that failed before its first iteration the next needs no leave to overwrite",
           "[adapt][run][errors]") {
-  const TemporaryFolder folder("run_fails_at_once");
+  const TemporaryFolder folder;
   CHECK_THROWS_AS(run_case(interpolation_case("log(x - 2)", small), into(folder)), InputError);
   CHECK_FALSE(folder.has("case.json"));
   CHECK(run_case(interpolation_case("log(x + 2)", small), into(folder)).summary.targets_met);
@@ -129,13 +122,13 @@ TEST_CASE("after a run that failed before its first iteration the next needs no 
 }
 
 TEST_CASE("a run tells a missed target from an interrupt", "[adapt][run]") {
-  const TemporaryFolder missed("run_missed");
+  const TemporaryFolder missed;
   const Case hopeless = interpolation_case("sin(3*x)*y^2", R"({"l2_error": 1e-9, "max_iterations": 2})");
   const Summary summary = run_case(hopeless, into(missed)).summary;
   CHECK(summary.error_targets_declared);
   CHECK_FALSE(summary.targets_met);
   CHECK(summary.stop_reason == StopReason::MaxIterations);
-  const TemporaryFolder stopped("run_stopped");
+  const TemporaryFolder stopped;
   const std::atomic<bool> stop{true};
   RunOptions options = into(stopped);
   options.interrupted = &stop;
@@ -144,7 +137,7 @@ TEST_CASE("a run tells a missed target from an interrupt", "[adapt][run]") {
 }
 
 TEST_CASE("progress gets one line per iteration", "[adapt][run]") {
-  const TemporaryFolder folder("run_progress");
+  const TemporaryFolder folder;
   RunOptions options = into(folder);
   std::size_t lines = 0;
   options.progress = [&lines](const std::string& line) {

@@ -52,7 +52,7 @@ TEST_CASE("a uniform mesh of the unit square is valid, unit and of the right siz
   CHECK(result.mesh.num_triangles() == Approx(4.0 / std::sqrt(3.0) / (0.03 * 0.03)).epsilon(0.05));
 }
 
-TEST_CASE("uniform meshes have as many triangles as the size asks for, and no disorder", "[mesher][generate]") {
+TEST_CASE("uniform meshes have as many triangles as the size asks for, and no disorder", "[mesher][generate][slow]") {
   const double triangles = GENERATE(2600.0, 5000.0, 9000.0, 17000.0, 34000.0);
   const double h = std::sqrt(4.0 / std::sqrt(3.0) / triangles);
   const GenerateResult result = generate(support::unit_square(), ConstantField(Metric::isotropic(h)));
@@ -142,7 +142,7 @@ TEST_CASE("a size larger than the domain gives the coarsest conforming mesh", "[
   CHECK(mesh.num_vertices() <= 20);
 }
 
-TEST_CASE("a mesh has the size that its metric asks for, from any previous one", "[mesher][generate]") {
+TEST_CASE("a mesh has the size that its metric asks for, from any previous one", "[mesher][generate][slow]") {
   // By Euler's formula and with unit triangles: N = 2 / sqrt3 C + B / 2 + 1, B the vertices on the boundary.
   const Domain domain = support::unit_square();
   const Mesh previous = generate(domain, circular_front(0.05, 0.03)).mesh;

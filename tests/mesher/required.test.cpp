@@ -11,11 +11,11 @@
 #include "mesher/index.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/triangulation/refine.h"
-#include "tests/mesher/io/temporary_folder.h"
 #include "tests/oracle/domain_cover.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/domains.h"
 #include "tests/support/meshes.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 

@@ -1,5 +1,5 @@
 // Compiles an expression: enough to see that parmesan::adapt links and works.
-#include <adapt/case.h>
+#include <adapt/case_schema.h>
 #include <adapt/expression.h>
 
 #include <iostream>

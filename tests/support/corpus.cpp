@@ -9,19 +9,13 @@
 #include <stdexcept>
 
 #include "mesher/io/geometry_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace parmesan::support {
 namespace {
 
 using Json = nlohmann::json;
 using Ring = std::vector<Point>;
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 std::vector<std::vector<std::string>> rows_of(const std::string& path) {
   std::ifstream file(path);

@@ -3,6 +3,7 @@
 
 #include "tests/system/program.h"
 
+using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
@@ -149,14 +150,14 @@ TEST_CASE("files that cannot be read or written end with 7", "[system][errors]")
     const std::string file = folder.write("file", "untouched");
     const ProgramResult result = run_program({"run", folder.write("a.json", poisson(fixed)), "--out", file + "/out"});
     CHECK(result.exit_code == 7);
-    CHECK(parmesan::support::read_file(file) == "untouched");
+    CHECK(parmesan::support::content_of(file) == "untouched");
   }
   SECTION("the output folder holds an earlier run") {
     const std::string input = folder.write("a.json", poisson(fixed));
     REQUIRE(run_program({"run", input, "--out", folder / "out"}).exit_code == 0);
-    const std::string before = parmesan::support::read_file(folder / "out/summary.json");
+    const std::string before = parmesan::support::content_of(folder / "out/summary.json");
     CHECK(run_program({"run", input, "--out", folder / "out"}).exit_code == 7);
-    CHECK(parmesan::support::read_file(folder / "out/summary.json") == before);
+    CHECK(parmesan::support::content_of(folder / "out/summary.json") == before);
     CHECK(run_program({"run", input, "--out", folder / "out", "--overwrite"}).exit_code == 0);
   }
 }

@@ -3,8 +3,8 @@
 
 #include "tests/system/program.h"
 
+using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
 
@@ -47,8 +47,8 @@ TEST_CASE("A mesh with its fields goes through every format and comes back the s
   convert({folder / "b.msh", folder / "c.meshb"});
   convert({folder / "c.meshb", folder / "d.msh", "--binary"});
   convert({folder / "d.msh", folder / "e.mesh"});
-  CHECK(read_file(folder / "e.mesh") == square_mesh);
-  CHECK(read_file(folder / "e.sol") == field_sol);
+  CHECK(content_of(folder / "e.mesh") == square_mesh);
+  CHECK(content_of(folder / "e.sol") == field_sol);
   for (const char* name : {"a.mesh", "b.msh", "c.meshb", "d.msh", "e.mesh"}) {
     CAPTURE(name);
     const nlohmann::json quality = quality_of(folder / name);
@@ -63,7 +63,7 @@ TEST_CASE("A solution becomes binary and text again", "[system][convert]") {
   folder.write("a.sol", field_sol);
   convert({folder / "a.sol", folder / "b.solb"});
   convert({folder / "b.solb", folder / "c.sol"});
-  CHECK(read_file(folder / "c.sol") == field_sol);
+  CHECK(content_of(folder / "c.sol") == field_sol);
   const ProgramResult result = run_program({"convert", folder / "a.sol", folder / "a.vtu"});
   CHECK(result.exit_code == 7);
   CHECK_THAT(result.err, Catch::Contains("convert the mesh"));
@@ -77,7 +77,7 @@ TEST_CASE("A geometry becomes a mesh without new vertices, and a .poly file", "[
   convert({folder / "ring.geojson", folder / "ring.poly"});
   convert({folder / "ring.poly", folder / "again.msh"});
   CHECK(quality_of(folder / "again.msh").at("triangles") == 8);
-  CHECK_THAT(read_file(folder / "ring.poly"), Catch::Contains("\n1\n1 1."));  // one hole, its seed inside
+  CHECK_THAT(content_of(folder / "ring.poly"), Catch::Contains("\n1\n1 1."));  // one hole, its seed inside
 }
 
 TEST_CASE("A mesh is written to every format that there is", "[system][convert]") {
@@ -86,7 +86,7 @@ TEST_CASE("A mesh is written to every format that there is", "[system][convert]"
   for (const char* name : {"o.mesh", "o.meshb", "o.msh", "o.vtu", "o.svg", "o.eps", "o.node", "o.ele", "o.poly"}) {
     CAPTURE(name);
     convert({folder / "a.mesh", folder / name});
-    CHECK_FALSE(read_file(folder / name).empty());
+    CHECK_FALSE(content_of(folder / name).empty());
   }
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("An outline is mended on its way to a .poly, and a mesh cannot be", "[
   const ProgramResult refused = run_program({"convert", folder / "a.mesh", folder / "a.msh", option});
   CHECK(refused.exit_code == 2);
   CHECK_THAT(refused.err, Catch::Contains("--repair"));
-  CHECK(read_file(folder / "a.msh").empty());
+  CHECK(content_of(folder / "a.msh").empty());
 }
 
 TEST_CASE("What cannot be converted is refused, and nothing is written", "[system][convert][errors]") {
@@ -119,7 +119,7 @@ TEST_CASE("What cannot be converted is refused, and nothing is written", "[syste
   CHECK(code("none.mesh", "o.mesh") == 7);
   CHECK(code("short.mesh", "o.mesh") == 7);
   CHECK(run_program({"convert", folder / "a.mesh"}).exit_code == 2);
-  CHECK(read_file(folder / "o.mesh").empty());
+  CHECK(content_of(folder / "o.mesh").empty());
   folder.write("a.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n1\n1 1\n5\nEnd\n");
   const ProgramResult result = run_program({"convert", folder / "a.mesh", folder / "o.mesh"});
   CHECK(result.exit_code == 7);
@@ -139,10 +139,10 @@ TEST_CASE("convert draws labels with a legend and metrics as ellipses, in every 
     CAPTURE(name);
     REQUIRE(run_program({"convert", mesh, folder / "plain" + std::string(name)}).exit_code == 0);
     REQUIRE(run_program({"convert", "--labels", "--metrics", mesh, folder / name}).exit_code == 0);
-    CHECK(read_file(folder / name).size() > read_file(folder / "plain" + std::string(name)).size());
+    CHECK(content_of(folder / name).size() > content_of(folder / "plain" + std::string(name)).size());
   }
-  CHECK_THAT(read_file(folder / "a.svg"), Catch::Contains("12345"));
-  CHECK(read_file(folder / "a.png").substr(1, 3) == "PNG");
+  CHECK_THAT(content_of(folder / "a.svg"), Catch::Contains("12345"));
+  CHECK(content_of(folder / "a.png").substr(1, 3) == "PNG");
 }
 
 TEST_CASE("convert refuses options that the format has no use for", "[system][convert][errors]") {

@@ -4,8 +4,8 @@
 
 #include "tests/system/program.h"
 
+using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_other;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
@@ -95,7 +95,7 @@ TEST_CASE("links in the place of outputs are replaced, and what they lead to sta
   const ProgramResult result = run_program({"run", input, "-q", option, "--out", folder / "out"});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
-  CHECK(read_file(treasure) == "untouched");
+  CHECK(content_of(treasure) == "untouched");
   for (const fs::path& file : files) {
     if (option == "--resume" && file.string().find("iterations") != std::string::npos) continue;  // not written again
     INFO(file);
@@ -166,7 +166,7 @@ TEST_CASE("names reach terminal and tables without formulas and control characte
   CHECK_FALSE(has_control_characters(result.out));
   CHECK_FALSE(has_control_characters(result.err));
   CHECK_THAT(result.out, Catch::Contains("\\x1b]0;owned\\x07"));
-  const std::string table = read_file(folder / "out\x1b[31m/convergence.csv");
+  const std::string table = content_of(folder / "out\x1b[31m/convergence.csv");
   CHECK(table.find('=') == std::string::npos);  // it has numbers only; texts in tables: csv.test.cpp
   CHECK(table.find('\x1b') == std::string::npos);
   // Formats that have names for labels stay readable.

@@ -7,8 +7,8 @@
 #include "tests/oracle/mesh_checker.h"
 #include "tests/system/program.h"
 
+using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
 
@@ -41,7 +41,7 @@ TEST_CASE("mesh writes a uniform mesh in several formats", "[system][mesh]") {
                    folder / "a.svg", "--require", "unit=0.9,quality=0.5"});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
-  for (const char* name : {"a.mesh", "a.vtu", "a.svg"}) CHECK_FALSE(read_file(folder / name).empty());
+  for (const char* name : {"a.mesh", "a.vtu", "a.svg"}) CHECK_FALSE(content_of(folder / name).empty());
   const nlohmann::json quality = quality_of({folder / "a.mesh"});
   // 2 / (sqrt3 h^2) = 115 triangles' pairs inside, and half of the boundary's 40 vertices more.
   CHECK(quality.at("vertices").get<int>() == Approx(135).epsilon(0.15));
@@ -95,7 +95,7 @@ TEST_CASE("a background mesh needs no edges", "[system][mesh]") {
                      "--metric", folder.write("bg.sol", layer_metric), "-o", out});
     INFO(result.err);
     REQUIRE(result.exit_code == 0);
-    return read_file(out);
+    return content_of(out);
   };
   CHECK(meshed("bare.mesh", bare) == meshed("whole.mesh", background));
 }
@@ -144,7 +144,7 @@ TEST_CASE("mesh lowers the error of a function whose Hessian is given", "[system
   };
   REQUIRE(mesh_with("plain.mesh", {}) == 0);
   REQUIRE(mesh_with("lower.mesh", {"--lower-error", saddle, "--require", "unit=0.99,quality=0.3"}) == 0);
-  CHECK(read_file(folder / "lower.mesh") != read_file(folder / "plain.mesh"));
+  CHECK(content_of(folder / "lower.mesh") != content_of(folder / "plain.mesh"));
 
   SECTION("a field of the wrong size or kind is refused, and one without a background") {
     CHECK(mesh_with("x.mesh", {"--lower-error", folder.write("two.sol",
@@ -360,11 +360,11 @@ TEST_CASE("mesh --freeze keeps the triangles of a region, and marks them in Medi
       run_program({"mesh", "in.mesh", "--freeze", "2", "--size", "0.1", "-o", "out.mesh"}, folder.path());
   CHECK(made.exit_code == 0);
   CHECK_THAT(made.err, Catch::Contains("required to stay"));
-  const std::string out = read_file(folder / "out.mesh");
+  const std::string out = content_of(folder / "out.mesh");
   CHECK_THAT(out, Catch::Contains("RequiredTriangles\n1\n"));
   // What the file requires stays when it is meshed again.
   CHECK(run_program({"mesh", "out.mesh", "--size", "0.05", "-o", "again.mesh", "-q"}, folder.path()).exit_code == 0);
-  CHECK_THAT(read_file(folder / "again.mesh"), Catch::Contains("RequiredTriangles\n1\n"));
+  CHECK_THAT(content_of(folder / "again.mesh"), Catch::Contains("RequiredTriangles\n1\n"));
   const ProgramResult unknown =
       run_program({"mesh", "in.mesh", "--freeze", "3", "--size", "0.1", "-o", "no.mesh"}, folder.path());
   CHECK(unknown.exit_code == 4);
@@ -381,7 +381,7 @@ TEST_CASE("mesh --freeze keeps all regions of one name, and no points are merged
       "$Elements\n4\n1 2 2 1 1 1 2 5\n2 2 2 1 1 1 5 4\n3 2 2 2 2 2 3 6\n4 2 2 2 2 2 6 5\n$EndElements\n");
   std::vector<std::string> arguments{"mesh", "in.msh", "--freeze", "part", "--size", "0.5", "-o", "out.mesh"};
   CHECK(run_program(arguments, folder.path()).exit_code == 0);
-  CHECK_THAT(read_file(folder / "out.mesh"), Catch::Contains("RequiredTriangles\n4\n"));
+  CHECK_THAT(content_of(folder / "out.mesh"), Catch::Contains("RequiredTriangles\n4\n"));
   arguments.insert(arguments.end(), {"--merge-tolerance", "0.01"});
   const ProgramResult merged = run_program(arguments, folder.path());
   CHECK(merged.exit_code == 4);
@@ -396,7 +396,7 @@ TEST_CASE("mesh of a case file keeps the regions it requires, and repairs what i
                "Triangles 4\n1 2 5 1\n2 3 5 1\n3 4 5 2\n4 1 5 1\nEnd\n");
   folder.write("kept.json", R"({"geometry": {"file": "in.mesh", "required": ["2"]}})");
   CHECK(run_program({"mesh", "kept.json", "--size", "0.1", "-o", "a.mesh", "-q"}, folder.path()).exit_code == 0);
-  CHECK_THAT(read_file(folder / "a.mesh"), Catch::Contains("RequiredTriangles\n1\n"));
+  CHECK_THAT(content_of(folder / "a.mesh"), Catch::Contains("RequiredTriangles\n1\n"));
   folder.write("cross.json", R"({"geometry": {"polygon": [[0, 0], [1, 0], [1, 1], [0, 1]], "segments": [
     {"from": [0.2, 0.2], "to": [0.8, 0.8], "label": "a"}, {"from": [0.2, 0.8], "to": [0.8, 0.2], "label": "b"}]}})");
   CHECK(run_program({"mesh", "cross.json", "--size", "0.2", "-o", "b.mesh"}, folder.path()).exit_code == 4);

@@ -17,7 +17,6 @@ using parmesan::MeshFields;
 using parmesan::support::canonical;
 using parmesan::support::is_installed;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_other;
 using parmesan::support::run_program;
 using parmesan::support::same_arrays;

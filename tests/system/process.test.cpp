@@ -5,9 +5,9 @@
 
 #include "tests/system/program.h"
 
+using parmesan::support::content_of;
 using parmesan::support::is_installed;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_other;
 using parmesan::support::TemporaryFolder;
 
@@ -92,12 +92,12 @@ TEST_CASE("a file that may not grow so large ends with 7, and the one before sta
   const TemporaryFolder folder;
   folder.write("square.poly", square_poly);
   REQUIRE(run_script(folder, "\"$1\" mesh square.poly --size 0.5 -q -o out.mesh").exit_code == 0);
-  const std::string before = read_file(folder / "out.mesh");
+  const std::string before = content_of(folder / "out.mesh");
   const ProgramResult result = run_script(folder, "ulimit -f 8; \"$1\" mesh square.poly --size 0.02 -o out.mesh");
   CHECK(result.exit_code == 7);
   CHECK(result.out.empty());
   CHECK_THAT(result.err, Catch::Contains("out.mesh: cannot be written: File too large"));
-  CHECK(read_file(folder / "out.mesh") == before);
+  CHECK(content_of(folder / "out.mesh") == before);
   CHECK_FALSE(has_temporary_files(folder.path()));
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("a run needs neither home, nor terminal, nor a generous umask", "[syst
   CHECK(bare.exit_code == 0);
   for (const char* name : {"mesh.mesh", "mesh.vtu", "mesh.svg", "mesh.png", "case.json"}) {
     INFO(name);
-    CHECK(read_file(folder / (std::string("usual/") + name)) == read_file(folder / (std::string("bare/") + name)));
+    CHECK(content_of(folder / (std::string("usual/") + name)) == content_of(folder / (std::string("bare/") + name)));
   }
   using std::filesystem::perms;
   const auto open_to_others = [](const std::string& path) {
@@ -182,7 +182,7 @@ TEST_CASE("a German locale changes no byte", "[system][process]") {
   REQUIRE(german.exit_code == 0);
   for (const char* name : {"mesh.mesh", "mesh.vtu", "mesh.svg", "case.json", "iterations/001/metric.sol"}) {
     INFO(name);
-    CHECK(read_file(folder / (std::string("C/") + name)) == read_file(folder / (std::string("de_DE.UTF-8/") + name)));
+    CHECK(content_of(folder / (std::string("C/") + name)) == content_of(folder / (std::string("de_DE.UTF-8/") + name)));
   }
   const std::string last_line = "written:";
   CHECK(plain.out.substr(0, plain.out.find(last_line)) == german.out.substr(0, german.out.find(last_line)));

@@ -6,11 +6,8 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -61,7 +58,7 @@ ProgramResult run(const std::string& program, const std::vector<std::string>& ar
     kill(child, interruption.signal);
   }
   const int code = wait_for(child);
-  return {code, read_file(logs / "out"), read_file(logs / "err")};
+  return {code, content_of(logs / "out"), content_of(logs / "err")};
 }
 
 }  // namespace
@@ -80,28 +77,6 @@ bool is_installed(const std::string& program) {
   if (run_other("which", {program}).exit_code == 0) return true;
   std::cout << "skipped: there is no " << program << "\n";
   return false;
-}
-
-TemporaryFolder::TemporaryFolder() {
-  path_ = (std::filesystem::temp_directory_path() / "parmesan-test-XXXXXX").string();
-  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::string TemporaryFolder::write(const std::string& name, const std::string& content) const {
-  std::ofstream(*this / name, std::ios::binary) << content;
-  return *this / name;
-}
-
-std::string read_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  return content.str();
 }
 
 }  // namespace parmesan::support

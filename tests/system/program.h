@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 namespace parmesan::support {
 
 /// How the program ended and what it said.
@@ -29,28 +31,5 @@ ProgramResult run_other(const std::string& program, const std::vector<std::strin
 
 /// Whether a program is installed; prints why a test is skipped when it is not.
 bool is_installed(const std::string& program);
-
-/// A folder for one test, removed with all its content at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::string& path() const { return path_; }
-
-  /// The path of a name inside the folder.
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-
-  /// Writes a file and returns its path.
-  std::string write(const std::string& name, const std::string& content) const;
-
- private:
-  std::string path_;
-};
-
-/// The content of a file; empty when there is none.
-std::string read_file(const std::string& path);
 
 }  // namespace parmesan::support

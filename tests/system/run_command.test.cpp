@@ -6,8 +6,8 @@
 
 #include "tests/system/program.h"
 
+using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_other;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
@@ -22,7 +22,7 @@ const std::string layer = R"json({
 })json";
 
 nlohmann::json summary_of(const std::string& folder) {
-  return nlohmann::json::parse(read_file(folder + "/summary.json"));
+  return nlohmann::json::parse(content_of(folder + "/summary.json"));
 }
 
 }  // namespace
@@ -32,9 +32,9 @@ TEST_CASE("the same case and seed give the same mesh bit by bit, whatever the nu
   const std::string input = folder.write("layer.json", layer);
   REQUIRE(run_program({"run", input, "--out", folder / "a", "--seed", "7", "--threads", "1"}).exit_code == 0);
   REQUIRE(run_program({"run", input, "--out", folder / "b", "--seed", "7", "--threads", "2"}).exit_code == 0);
-  const std::string mesh = read_file(folder / "a/mesh.mesh");
+  const std::string mesh = content_of(folder / "a/mesh.mesh");
   CHECK(mesh.size() > 1000);
-  CHECK(mesh == read_file(folder / "b/mesh.mesh"));
+  CHECK(mesh == content_of(folder / "b/mesh.mesh"));
 }
 
 TEST_CASE("run leaves the files a user is promised", "[system][run]") {
@@ -46,7 +46,7 @@ TEST_CASE("run leaves the files a user is promised", "[system][run]") {
   REQUIRE(result.exit_code == 0);
   for (const char* name : {"case.json", "convergence.csv", "mesh.vtu", "mesh.mesh", "mesh.svg", "run.pvd"}) {
     INFO(name);
-    CHECK_FALSE(read_file(folder / "layer.out/" + name).empty());
+    CHECK_FALSE(content_of(folder / "layer.out/" + name).empty());
   }
   const nlohmann::json summary = summary_of(folder / "layer.out");
   CHECK(summary.at("seed") == 3);
@@ -108,24 +108,30 @@ TEST_CASE("a run that was stopped or killed, and resumed, leaves the same mesh a
           "[system][run][resume][slow]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("layer.json", layer);
-  const int signal = GENERATE(SIGINT, SIGKILL);
-  const int milliseconds = GENERATE(60, 250, 700);
-  std::vector<std::string> words{"run", input, "--set", "/targets/vertices=3000", "-q", "--out"};
-  words.push_back(folder / "whole");
-  REQUIRE(run_program(words).exit_code == 0);
-  words.back() = folder / "broken";
-  run_program(words, folder.path(), {signal, milliseconds});
-  words.push_back("--resume");
-  const ProgramResult resumed = run_program(words);
-  INFO(resumed.err);
-  REQUIRE(resumed.exit_code == 0);
-  for (const char* name : {"mesh.mesh", "mesh.vtu", "iterations/002/metric.sol"}) {
-    INFO(name);
-    CHECK(read_file(folder / "whole/" + name) == read_file(folder / "broken/" + name));
+  const std::vector<std::string> words{"run", input, "--set", "/targets/vertices=3000", "-q", "--out"};
+  const auto with = [&words](std::vector<std::string> more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return more;
+  };
+  REQUIRE(run_program(with({folder / "whole"})).exit_code == 0);
+  const nlohmann::json whole = summary_of(folder / "whole");
+  for (const int signal : {SIGINT, SIGKILL}) {
+    for (const int milliseconds : {60, 250, 700}) {
+      CAPTURE(signal, milliseconds);
+      const std::string broken = folder / (std::to_string(signal) + "_" + std::to_string(milliseconds));
+      run_program(with({broken}), folder.path(), {signal, milliseconds});
+      const ProgramResult resumed = run_program(with({broken, "--resume"}));
+      INFO(resumed.err);
+      REQUIRE(resumed.exit_code == 0);
+      for (const char* name : {"/mesh.mesh", "/mesh.vtu", "/iterations/002/metric.sol"}) {
+        INFO(name);
+        CHECK(content_of(folder / "whole" + name) == content_of(broken + name));
+      }
+      const nlohmann::json summary = summary_of(broken);
+      CHECK(whole.at("stop_reason") == summary.at("stop_reason"));
+      CHECK(whole.at("iterations").size() == summary.at("iterations").size());
+    }
   }
-  const nlohmann::json whole = summary_of(folder / "whole"), broken = summary_of(folder / "broken");
-  CHECK(whole.at("stop_reason") == broken.at("stop_reason"));
-  CHECK(whole.at("iterations").size() == broken.at("iterations").size());
 }
 
 TEST_CASE("resume refuses the run of another case, unless forced", "[system][run][resume][errors]") {
@@ -166,8 +172,8 @@ TEST_CASE("resume keeps a run of which no checkpoint can be used, and says why",
   CHECK(refused.exit_code == 7);
   CHECK_THAT(refused.err, Catch::Contains("no checkpoint can be used") && Catch::Contains("--overwrite") &&
                               Catch::Contains("odd.state ends too early"));
-  CHECK(read_file(folder / "out/checkpoint/even.state") == "damaged");
-  CHECK_FALSE(read_file(folder / "out/iterations/000/mesh.mesh").empty());
+  CHECK(content_of(folder / "out/checkpoint/even.state") == "damaged");
+  CHECK_FALSE(content_of(folder / "out/iterations/000/mesh.mesh").empty());
   CHECK(run_program({"run", input, "-q", "--overwrite", "--out", folder / "out"}).exit_code == 0);
 }
 
@@ -176,17 +182,17 @@ TEST_CASE("resume says when it goes on from the older checkpoint, and ends the s
   const std::string input = folder.write("layer.json", layer);
   const std::vector<std::string> words{"run", input, "--resume", "--out", folder / "out"};
   REQUIRE(run_program(words).exit_code == 0);
-  const std::string mesh = read_file(folder / "out/mesh.mesh");
+  const std::string mesh = content_of(folder / "out/mesh.mesh");
   const std::string newest =
       summary_of(folder / "out").at("iterations").size() % 2 == 1 ? "even.state" : "odd.state";  // rows count from 0
-  std::string bytes = read_file(folder / ("out/checkpoint/" + newest));
+  std::string bytes = content_of(folder / ("out/checkpoint/" + newest));
   bytes[bytes.size() / 2] ^= 1;
   folder.write("out/checkpoint/" + newest, bytes);
   const ProgramResult resumed = run_program(words);
   CHECK(resumed.exit_code == 0);
   CHECK_THAT(resumed.err,
              Catch::Contains(newest + " is damaged: its checksum is wrong") && Catch::Contains("going on"));
-  CHECK(read_file(folder / "out/mesh.mesh") == mesh);
+  CHECK(content_of(folder / "out/mesh.mesh") == mesh);
 }
 
 TEST_CASE("an interrupted run is not judged by its pass limits", "[system][run]") {

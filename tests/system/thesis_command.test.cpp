@@ -3,8 +3,8 @@
 
 #include "tests/system/program.h"
 
+using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
 
@@ -37,11 +37,11 @@ TEST_CASE("mesh --schedule thesis says how it went, and its parameters change th
                                                   {"--decay", "2"}}) {
     INFO(options.front());
     CHECK(mesh_with("other.mesh", options).exit_code == 0);
-    CHECK(read_file(folder / "other.mesh") != read_file(folder / "plain.mesh"));
+    CHECK(content_of(folder / "other.mesh") != content_of(folder / "plain.mesh"));
   }
   CHECK(mesh_with("again.mesh", {"--potential", "lennard-jones-approximation", "--neighbourhood", "n1"}).exit_code ==
         0);
-  CHECK(read_file(folder / "again.mesh") == read_file(folder / "plain.mesh"));
+  CHECK(content_of(folder / "again.mesh") == content_of(folder / "plain.mesh"));
 }
 
 TEST_CASE("a run of the thesis's schedule that does not settle ends with a warning and a mesh",
@@ -86,9 +86,9 @@ TEST_CASE("mesh writes the Voronoi diagram and the evolution", "[system][mesh][t
   CHECK(run_program({"mesh", square, "--size", "0.2", "-o", folder / "a.mesh", "--voronoi", folder / "v.svg",
                      "--voronoi", folder / "v.vtu", "--evolution", folder / "frames"})
             .exit_code == 0);
-  CHECK_THAT(read_file(folder / "v.svg"), Catch::Contains("</svg>"));
-  CHECK_THAT(read_file(folder / "v.vtu"), Catch::Contains("\"region\""));
-  CHECK_THAT(read_file(folder / "frames/index.html"), Catch::Contains("</html>"));
+  CHECK_THAT(content_of(folder / "v.svg"), Catch::Contains("</svg>"));
+  CHECK_THAT(content_of(folder / "v.vtu"), Catch::Contains("\"region\""));
+  CHECK_THAT(content_of(folder / "frames/index.html"), Catch::Contains("</html>"));
   CHECK(run_program({"mesh", square, "--size", "0.2", "-o", folder / "b.mesh", "--voronoi", folder / "v.what"})
             .exit_code == 7);
   CHECK_FALSE(std::filesystem::exists(folder / "b.mesh"));
@@ -140,10 +140,10 @@ TEST_CASE("--align-boundary turns the metric beside segments", "[system][mesh][t
                                                         tensor + tensor + tensor + tensor + "End\n");
   std::vector<std::string> arguments{"mesh", square, "--background", mesh, "--metric", metric, "-o", folder / "a.mesh"};
   REQUIRE(run_program(arguments).exit_code == 0);
-  const std::string plain = read_file(folder / "a.mesh");
+  const std::string plain = content_of(folder / "a.mesh");
   arguments.insert(arguments.end(), {"--align-boundary", "3"});
   REQUIRE(run_program(arguments).exit_code == 0);
-  CHECK(read_file(folder / "a.mesh") != plain);
+  CHECK(content_of(folder / "a.mesh") != plain);
   arguments.back() = "-1";
   CHECK(run_program(arguments).exit_code == 2);
 }

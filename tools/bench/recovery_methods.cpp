@@ -15,8 +15,8 @@
 
 #include "adapt/absolute_hessian.h"
 #include "adapt/adapt_loop.h"
-#include "adapt/decimal.h"
 #include "fem/vertex_patch.h"
+#include "mesher/number_text.h"
 
 namespace parmesan::bench {
 namespace {
@@ -60,7 +60,7 @@ Case prepared(const std::string& file, const std::string& recovery, double verti
   const Case original = read_case(file);
   std::vector<Override> overrides{
       {"/metric",
-       R"({"recovery": ")" + recovery + R"(", "max_aspect": 1e6, "h_min": )" + decimal(original.metric.h_min) + "}"},
+       R"({"recovery": ")" + recovery + R"(", "max_aspect": 1e6, "h_min": )" + text(original.metric.h_min) + "}"},
       {"/targets", R"({"vertices": )" + std::to_string(static_cast<long>(vertices)) + R"(, "max_iterations": 40})"},
       {"/mesher", "{}"},
       {"/expect", "{}"}};

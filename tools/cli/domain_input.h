@@ -22,7 +22,7 @@ void add_repair_options(CLI::App& command, RepairOptions& options);
 bool keeps_triangles(const GeometryInput& geometry);
 
 /// Reads a geometry, that of a case file too, and mends it, with a warning that names what was changed.
-/// Errors: as read_any_geometry and read_case_geometry, and as clean where something is to be mended.
+/// Errors: as read_geometry_input and read_case_geometry, and as clean where something is to be mended.
 Domain read_domain(const std::string& path, const RepairOptions& options);
 
 /// The same with the mesh that the geometry is given by, if it is. regions: names of those whose triangles are to be

@@ -6,7 +6,6 @@
 
 #include "adapt/case.h"
 #include "fem/problem.h"
-#include "fem/solve.h"
 #include "mesher/errors.h"
 #include "tools/cli/escape.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fem/solve.h"
+#include "fem/problem.h"
 #include "mesher/errors.h"
 
 namespace parmesan {

@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "adapt/case.h"
+#include "adapt/case_schema.h"
 #include "tools/cli/commands.h"
 
 namespace parmesan {

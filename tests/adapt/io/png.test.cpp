@@ -10,8 +10,8 @@
 
 #include "mesher/errors.h"
 #include "mesher/io/picture/colour_map.h"
-#include "tests/mesher/io/temporary_folder.h"
 #include "tests/support/meshes.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 

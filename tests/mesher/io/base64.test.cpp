@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::support::content_of;
 using parmesan::support::TemporaryFolder;

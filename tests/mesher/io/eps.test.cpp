@@ -7,7 +7,7 @@
 
 #include "mesher/errors.h"
 #include "tests/mesher/io/sample_mesh.h"
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::Mesh;
 using parmesan::PictureOptions;

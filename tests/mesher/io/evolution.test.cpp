@@ -5,9 +5,9 @@
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
-#include "tests/mesher/io/temporary_folder.h"
 #include "tests/support/domains.h"
 #include "tests/support/meshes.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace parmesan;
 
@@ -36,7 +36,7 @@ TEST_CASE("an evolution is a page, a list and frames that grow to the last mesh"
 
 TEST_CASE("a folder for an evolution that cannot be made is an error", "[mesher][io][errors]") {
   const support::TemporaryFolder folder;
-  const std::string file = folder.make("file", "x");
+  const std::string file = folder.write("file", "x");
   CHECK_THROWS_AS(EvolutionWriter(file + "/frames"), FileError);
 }
 
@@ -45,13 +45,13 @@ TEST_CASE("an evolution takes the place of an earlier one, and no other files'",
   const Mesh mesh = support::rectangle_mesh(2, 2);
   const auto write = [&](const std::string& name) { EvolutionWriter(folder / name).finish(mesh); };
   write("frames");
-  folder.make("frames/frame_042.vtu", "of a longer evolution");
-  folder.make("frames/notes.txt", "of the user");
+  folder.write("frames/frame_042.vtu", "of a longer evolution");
+  folder.write("frames/notes.txt", "of the user");
   write("frames");
   CHECK_FALSE(std::filesystem::exists(folder / "frames/frame_042.vtu"));
   CHECK(support::content_of(folder / "frames/notes.txt") == "of the user");
   std::filesystem::create_directory(folder / "page");
-  const std::string page = folder.make("page/index.html", "of the user");
+  const std::string page = folder.write("page/index.html", "of the user");
   CHECK_THROWS_AS(write("page"), FileError);
   CHECK(support::content_of(page) == "of the user");
 }

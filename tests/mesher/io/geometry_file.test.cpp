@@ -7,8 +7,8 @@
 #include "mesher/io/medit.h"
 #include "tests/mesher/io/error_line.h"
 #include "tests/mesher/io/sample_mesh.h"
-#include "tests/mesher/io/temporary_folder.h"
 #include "tests/support/shared.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::Domain;
 using parmesan::FileError;
@@ -20,9 +20,9 @@ using parmesan::support::TemporaryFolder;
 TEST_CASE("A .mesh without triangles is a geometry by the even-odd rule", "[mesher][io]") {
   const TemporaryFolder folder;
   const Domain domain =
-      read_geometry(folder.make("d.MESH",
-                                "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0 0\n1 0 0\n0 1 0\n"
-                                "Edges\n3\n1 2 1\n2 3 2\n3 1 3\nEnd\n"));
+      read_geometry(folder.write("d.MESH",
+                                 "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0 0\n1 0 0\n0 1 0\n"
+                                 "Edges\n3\n1 2 1\n2 3 2\n3 1 3\nEnd\n"));
   CHECK(domain.inside == Inside::EvenOdd);
   CHECK(domain.points.size() == 3);
   REQUIRE(domain.segments.size() == 3);
@@ -43,14 +43,14 @@ TEST_CASE("A .mesh with triangles is the geometry of its boundary", "[mesher][io
 
 TEST_CASE("A .poly file is a geometry by Triangle's rule", "[mesher][io]") {
   const TemporaryFolder folder;
-  const Domain domain = read_geometry(folder.make("d.poly", "3\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n"));
+  const Domain domain = read_geometry(folder.write("d.poly", "3\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n"));
   CHECK(domain.inside == Inside::HoleSeeds);
   CHECK(domain.segments.size() == 3);
 }
 
 TEST_CASE("An unknown suffix of a geometry is refused with the known ones", "[mesher][io][errors]") {
   const TemporaryFolder folder;
-  CHECK_THAT(error_message([&] { read_geometry(folder.make("d.step", "ISO-10303")); }),
+  CHECK_THAT(error_message([&] { read_geometry(folder.write("d.step", "ISO-10303")); }),
              Catch::Contains(".poly") && Catch::Contains(".mesh"));
 }
 

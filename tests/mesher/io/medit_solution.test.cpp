@@ -7,7 +7,7 @@
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
 #include "tests/mesher/io/error_line.h"
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::FileError;
 using parmesan::Metric;
@@ -77,7 +77,7 @@ TEST_CASE("A .sol file that is cut off anywhere is refused", "[mesher][io][medit
 TEST_CASE("Tensors of any sign are read from a .sol file, and nothing else", "[mesher][io][medit]") {
   const TemporaryFolder folder;
   const auto written = [&folder](const std::string& text) {
-    std::ofstream(folder / "h.sol") << text;
+    folder.write("h.sol", text);
     return folder / "h.sol";
   };
   const std::vector<SymmetricTensor> tensors =

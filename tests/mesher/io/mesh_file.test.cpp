@@ -5,7 +5,7 @@
 #include "mesher/errors.h"
 #include "tests/mesher/io/error_line.h"
 #include "tests/mesher/io/sample_mesh.h"
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::check_mesh_file_name;
 using parmesan::FileError;
@@ -45,5 +45,5 @@ TEST_CASE("An unknown suffix of a mesh is refused with the known ones", "[mesher
     CHECK_THROWS_AS(write_mesh_file(folder / name, Mesh{}), FileError);
     CHECK_THROWS_AS(read_mesh_file(folder / name), FileError);
   }
-  CHECK_THROWS_AS(read_mesh_file(folder.make("m.vtu", "<VTKFile>")), FileError);
+  CHECK_THROWS_AS(read_mesh_file(folder.write("m.vtu", "<VTKFile>")), FileError);
 }

@@ -9,7 +9,7 @@
 #include "tests/mesher/io/error_line.h"
 #include "tests/mesher/io/gmf_bytes.h"
 #include "tests/mesher/io/sample_mesh.h"
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::FileError;
 using parmesan::Mesh;

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "mesher/errors.h"
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::FileError;
 using parmesan::OutputFile;
@@ -58,7 +58,7 @@ TEST_CASE("OutputFile writes doubles that strtod reads back to the same bits", "
 
 TEST_CASE("OutputFile without commit leaves the older file and no other", "[mesher][io]") {
   const TemporaryFolder folder;
-  folder.make("f", "old");
+  folder.write("f", "old");
   {
     OutputFile out(folder / "f");
     out << "new";
@@ -73,7 +73,7 @@ TEST_CASE("OutputFile without commit leaves the older file and no other", "[mesh
 
 TEST_CASE("OutputFile takes over what a killed process left behind", "[mesher][io]") {
   const TemporaryFolder folder;
-  folder.make("f.tmp" + std::to_string(getpid()), "a longer rest of before");
+  folder.write("f.tmp" + std::to_string(getpid()), "a longer rest of before");
   write_file(folder / "f", "new");
   CHECK(content_of(folder / "f") == "new");
   CHECK(folder.num_files() == 1);
@@ -81,7 +81,7 @@ TEST_CASE("OutputFile takes over what a killed process left behind", "[mesher][i
 
 TEST_CASE("OutputFile replaces a symbolic link and leaves its target", "[mesher][io]") {
   const TemporaryFolder folder;
-  const std::string target = folder.make("target", "kept");
+  const std::string target = folder.write("target", "kept");
   REQUIRE(symlink(target.c_str(), (folder / "link").c_str()) == 0);
   write_file(folder / "link", "new");
   CHECK(content_of(target) == "kept");
@@ -109,7 +109,7 @@ TEST_CASE("OutputFile refuses what it cannot write, and cleans up", "[mesher][io
 TEST_CASE("OutputFile reports a full disk", "[mesher][io][errors]") {
   // A limit on the size of files is the nearest to a full disk that needs no rights.
   const TemporaryFolder folder;
-  folder.make("f", "old");
+  folder.write("f", "old");
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {

@@ -6,7 +6,7 @@
 
 #include "mesher/errors.h"
 #include "tests/mesher/io/sample_mesh.h"
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::InputError;
 using parmesan::Mesh;

@@ -9,7 +9,7 @@
 
 #include "mesher/errors.h"
 #include "tests/mesher/io/error_line.h"
-#include "tests/mesher/io/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 using parmesan::FileError;
 using parmesan::read_file;
@@ -138,8 +138,8 @@ TEST_CASE("TextReader skips to keywords past numbers, strings and nan", "[mesher
 TEST_CASE("read_file reads regular files of limited size only", "[mesher][io][errors]") {
   const TemporaryFolder folder;
   const std::string bytes("a\0b\n\xff", 5);
-  CHECK(read_file(folder.make("f", bytes)) == bytes);
-  CHECK(read_file(folder.make("empty", "")).empty());
+  CHECK(read_file(folder.write("f", bytes)) == bytes);
+  CHECK(read_file(folder.write("empty", "")).empty());
   CHECK_THROWS_AS(read_file(folder / "f", 4), FileError);
   CHECK(read_file(folder / "f", 5) == bytes);
   CHECK_THROWS_AS(read_file(folder / "absent"), FileError);
@@ -152,9 +152,9 @@ TEST_CASE("read_file reads regular files of limited size only", "[mesher][io][er
 
 TEST_CASE("read_file leaves out the byte order mark of UTF-8", "[mesher][io]") {
   const TemporaryFolder folder;
-  CHECK(read_file(folder.make("f", "\xEF\xBB\xBFtext")) == "text");
-  CHECK(read_file(folder.make("mark", "\xEF\xBB\xBF")).empty());
-  CHECK(read_file(folder.make("g", "\xEF\xBB")) == "\xEF\xBB");
+  CHECK(read_file(folder.write("f", "\xEF\xBB\xBFtext")) == "text");
+  CHECK(read_file(folder.write("mark", "\xEF\xBB\xBF")).empty());
+  CHECK(read_file(folder.write("g", "\xEF\xBB")) == "\xEF\xBB");
 }
 
 TEST_CASE("file_suffix looks at the last dot of the name", "[mesher][io]") {

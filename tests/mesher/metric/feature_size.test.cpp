@@ -99,7 +99,7 @@ TEST_CASE("a point that is off a segment by rounding is no feature to be resolve
   CHECK(made.mesh.num_vertices() < 3000);
 }
 
-TEST_CASE("a channel too narrow for sizes that follow it gets larger ones, and is told", "[mesher][metric]") {
+TEST_CASE("a channel too narrow for sizes that follow it gets larger ones, and is told", "[mesher][metric][slow]") {
   Domain domain;
   support::add_polygon(domain, {{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}}, 1);
   const FeatureSizeField found = feature_size_field(domain);
