@@ -62,7 +62,8 @@ class Page {
 
   void visit_members(const std::string& prefix, const Json& object) {
     for (const auto& [key, member] : object["properties"].items()) visit(code(prefix + key), member);
-    if (object.contains("propertyNames")) visit(code(prefix.substr(0, prefix.size() - 1)), object["additionalProperties"]);
+    if (object.contains("propertyNames"))
+      visit(code(prefix.substr(0, prefix.size() - 1)), object["additionalProperties"]);
   }
 
   static std::string name_of(const Json& reference) {
