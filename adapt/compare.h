@@ -25,7 +25,7 @@ struct CompareOptions {
   std::string out_dir;  // empty: the case's name + ".compare"
   bool overwrite = false;
   std::vector<std::int64_t> sizes{1000, 4000, 16000, 64000};  // vertices, ascending
-  std::int64_t max_uniform_vertices = 1'000'000;              // where the search for equal error ends
+  std::int64_t max_uniform_vertices = 1'000'000;              // the search for equal error ends at 1.1 times this
   std::int64_t max_vertices = 10'000'000;                     // safety limit, LimitError for sizes beyond
   std::function<void(const std::string&)> progress;           // gets one line per mesh
   const std::atomic<bool>* interrupted = nullptr;

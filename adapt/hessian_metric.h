@@ -37,7 +37,7 @@ double complexity(const Mesh& mesh, std::span<const Metric> metrics);
 double complexity_for_vertices(double vertices);
 
 /// The density relative to det H > 0 that is best where det H < 0, for triangles equilateral in |H|
-/// (THEORY: 0.547, 1/2, 0.509, 0.75 for p = 1, 2, 4, infinity; in between linear in 1/p).
+/// (0.547, 1/2, 0.509, 0.75 for p = 1, 2, 4, infinity; in between linear in 1/p).
 double sign_factor(double norm);
 
 /// The smallest eigenvalue |H| is given: where det H vanishes, det^(-1/(2p+2)) would be infinite and
@@ -47,7 +47,7 @@ double eigenvalue_floor(const Mesh& mesh, std::span<const AbsoluteHessian> hessi
 
 /// |H| with the floor, scaled for the norm and the sign, before the factor D that sets the complexity.
 /// Lp: det^(-1/(2p+2)) |H| (Loseille & Alauzet 2011), times sign_factor where det H < 0.
-/// H1: tr^(1/2) det^(-1/4) |H|, times sqrt2 where det H < 0 (THEORY, "H1").
+/// H1: tr^(1/2) det^(-1/4) |H|, times sqrt2 where det H < 0.
 /// Where max_aspect binds, det and tr are those of the eigenvalues it leaves, and the factor for the sign lies between
 /// those of the signs: triangles shorter than |H| asks for hardly see the smaller second derivative.
 SymmetricTensor scale_for_error(const AbsoluteHessian& hessian, double floor, const MetricRequest& request);

@@ -8,7 +8,7 @@
 
 namespace parmesan {
 
-/// The metric built from Hessians (THEORY: "Metrics").
+/// The metric built from Hessians (adapt/README, "The metric, in this order").
 enum class MetricKind { LoseilleAlauzet, SignAware };
 
 struct MetricOptions {

@@ -15,6 +15,7 @@
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
+#include "mesher/io/medit_fields.h"
 #include "mesher/io/msh.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/svg.h"
@@ -32,7 +33,7 @@ void make_folder(const std::string& path) {
 }
 
 // What a run or a comparison writes at its end, so that nothing of an earlier one is left to mislead.
-constexpr std::array final_files{"summary.json", "report.html", "mesh.vtu", "mesh.mesh",   "mesh.msh",
+constexpr std::array final_files{"summary.json", "report.html", "mesh.vtu", "mesh.mesh",   "mesh.sol",       "mesh.msh",
                                  "mesh.svg",     "mesh.png",    "run.pvd",  "compare.csv", "convergence.csv"};
 constexpr std::array files_on_the_way{"case.json", "iterations", "checkpoint"};
 
@@ -71,6 +72,13 @@ MeshFields fields_of(const Case& input, const Iterate& iterate) {
   fields.points.push_back(tensor_field("metric", iterate.metrics));
   if (const auto known = known_function(input)) fields.cells.push_back(error_field(iterate, *known));
   return fields;
+}
+
+// mesh.mesh with the solution in mesh.sol, which cannot hold values that are not finite.
+void write_solution(const std::string& folder, const Iterate& iterate) {
+  write_medit(folder + "/mesh.mesh", iterate.mesh);
+  if (all_finite(iterate.values))
+    write_medit_fields(folder + "/mesh.sol", {.points = {{"solution", 1, iterate.values}}, .cells = {}});
 }
 
 // But for our lock.
@@ -133,7 +141,7 @@ void RunFolder::write_iteration(const Iterate& iterate, const IterationRow& row)
       make_subfolder(path_, "iterations/" + three_digits(static_cast<std::size_t>(row.iteration)));
   if (wants("vtu")) write_vtu(folder + "/mesh.vtu", iterate.mesh, fields_of(case_, iterate));
   if (!wants("mesh")) return;
-  write_medit(folder + "/mesh.mesh", iterate.mesh);
+  write_solution(folder, iterate);
   write_medit_metric(folder + "/metric.sol", iterate.metrics);
 }
 
@@ -146,7 +154,7 @@ void RunFolder::finish(const Summary& summary, const Iterate& last) {
     write_pvd(file("run.pvd"), entries);
     write_vtu(file("mesh.vtu"), last.mesh, fields_of(case_, last));
   }
-  if (wants("mesh")) write_medit(file("mesh.mesh"), last.mesh);
+  if (wants("mesh")) write_solution(path_, last);
   if (wants("msh")) write_msh(file("mesh.msh"), last.mesh, fields_of(case_, last));
   if (wants("svg")) write_svg(file("mesh.svg"), last.mesh, picture_of(case_, last));
   if (wants("png")) write_png(file("mesh.png"), last.mesh, picture_of(case_, last));

@@ -25,12 +25,12 @@ FolderLock prepare_folder(const std::string& path, EarlierFiles earlier);
 /// Removes an earlier run's files, when there is something to put in their place. Errors: FileError.
 void remove_earlier_files(const std::string& path, EarlierFiles earlier);
 
-/// The folder of a run, filled as the run goes on (INTERFACE: "What a run leaves in its folder").
+/// The folder of a run, filled as the run goes on (adapt/README, "The folder of a run").
 ///
-/// The files of the whole run (mesh.*, with names in .msh; run.pvd, summary.json) are written by finish() only, each
-/// complete or not at all; a run that fails leaves its case and its iterations, never a summary. One that fails before
-/// its first iteration is done leaves what it found: an earlier run that it should replace, or nothing, so that the
-/// next needs no leave to overwrite it.
+/// The files of the whole run (mesh.*, with names in .msh, the solution in .vtu, .msh and .sol; run.pvd, summary.json)
+/// are written by finish() only, each complete or not at all; a run that fails leaves its case and its iterations,
+/// never a summary. One that fails before its first iteration is done leaves what it found: an earlier run that it
+/// should replace, or nothing, so that the next needs no leave to overwrite it.
 class RunFolder {
  public:
   /// Errors: as prepare_folder.

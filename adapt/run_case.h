@@ -30,7 +30,7 @@ struct RunResult {
   std::vector<Verdict> verdicts;  // one per "expect" of the case
 };
 
-/// The adaptive loop of a case, with its output folder (INTERFACE: "What a run leaves in its folder").
+/// The adaptive loop of a case, with its output folder (adapt/README, "The folder of a run").
 ///
 /// Every iteration leaves a checkpoint. With options.resume a run that was interrupted or killed comes to the end
 /// it would have come to, bit by bit but for times and memory; one without a checkpoint yet begins anew.

@@ -55,18 +55,17 @@ double observed_order(std::span<const SizeStep> history);
 ///   resolve the solution, and fewer vertices may do;
 /// - towards error targets the next size is predicted with the observed order and 2 % on top, doubled
 ///   up to 16 % after each pass that missed by little: meshes follow small changes of size with delay.
-///   Of a prediction beyond 1.5 times the last size only 3/4 is asked for: a mesh that has not yet
-///   found all of a layer improves faster than the observed order says.
-///
+///   Of a prediction beyond 1.5 times the last size only 3/4 is asked for, and at least 1.5 times the last size: a mesh
+///   that has not yet found all of a layer improves faster than the observed order says;
 /// - a mesh that meets the targets with 5 % more vertices than they are predicted to need is made smaller, to 3/4 of
 ///   the prediction where the error fell faster than order 1.5, at most twice and as long as 3 of max_passes are left
-///   to come back if the prediction was wrong;
+///   to come back if the prediction was wrong, but never below half of its vertices or the first size;
 /// - towards a size aimed at, none of this holds it back from growing when max_passes would end the loop before it has
 ///   had 3 passes at that size.
 ///
-/// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (with error targets: 4 passes in which the error did not
-/// fall by 2 %; with a size aimed at: 8 passes that missed it), or Unchanged when nothing is aimed at and the first
-/// size has settled.
+/// Stops with ErrorTarget, Vertices, VertexBudget, Stagnated (with error targets: 4 passes, after 3 others at least, in
+/// which the error did not fall by 2 %; with a size aimed at: 8 passes that missed it), or Unchanged when nothing is
+/// aimed at and the first size has settled.
 SizeDecision next_size(std::span<const SizeStep> history, const SizeGoal& goal);
 
 }  // namespace parmesan

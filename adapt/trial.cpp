@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "adapt/interpolation_limit.h"
 #include "adapt/iterate.h"
 #include "adapt/measure.h"
 #include "adapt/number_text.h"
@@ -25,9 +26,17 @@ void refuse_small_sizes(const Case& input, double domain_area, std::int64_t max_
                    short_number(least, 3) + " vertices; the limit is " + std::to_string(max_vertices));
 }
 
+// Meshes have about half as many vertices as triangles.
+std::optional<double> vertices_at_limit(const Case& input, const Mesh& mesh) {
+  if (!input.exact || !input.targets.l2_error) return std::nullopt;
+  const InterpolationLimit limit = interpolation_limit(mesh, *input.exact);
+  if (!efficiency(1.0, 1.0, limit)) return std::nullopt;
+  return limit.value / *input.targets.l2_error / 2.0;
+}
+
 }  // namespace
 
-IterationRow try_out(const Case& input, std::int64_t max_vertices) {
+Trial try_out(const Case& input, std::int64_t max_vertices) {
   constexpr std::int64_t few = 400;
   require_within_limit(input.targets, max_vertices);
   std::int64_t vertices = std::min(few, input.initial_vertices);
@@ -39,7 +48,7 @@ IterationRow try_out(const Case& input, std::int64_t max_vertices) {
   size_limits(iterate.mesh, input.metric);  // throws where they contradict each other
   refuse_small_sizes(input, area(iterate.mesh), max_vertices);
   compute_values(input, iterate, nullptr);
-  return measure(input, iterate, 0, std::nullopt);
+  return {measure(input, iterate, 0, std::nullopt), vertices_at_limit(input, iterate.mesh)};
 }
 
 double expected_memory_mb(const Case& input, std::int64_t vertices) {

@@ -14,7 +14,7 @@ namespace parmesan {
 /// The same vector is the load of the dual problem.
 using Functional = std::vector<double>;
 
-/// int weight u; weight: 1 where empty, integrated like a source (load.h), a thousand times closer.
+/// int weight u; weight: 1 where empty, integrated like a source but more closely (accurate_load in load.h).
 /// Errors: ProblemError where the weight is not finite.
 Functional region_integral(const Mesh& mesh, const ScalarCoefficient& weight);
 

@@ -47,8 +47,8 @@ double growth(const RowMatrix& matrix, const Eigen::VectorXd& x, const Eigen::Ve
 class LinearSolver {
  public:
   /// The matrix must live as long. options may name a method, which is then tried first, before direct ones.
-  /// Errors: ProblemError when CG or LDLT is wished for a matrix that is not symmetric; InputError for a restart out of
-  /// range.
+  /// Errors: ProblemError when CG or LDLT is wished for a matrix that is not symmetric, or CG with an incomplete LU;
+  /// InputError for a restart out of range.
   LinearSolver(const RowMatrix& matrix, const MatrixKind& kind, const SolverOptions& options = {});
   LinearSolver(const LinearSolver&) = delete;
   LinearSolver& operator=(const LinearSolver&) = delete;
@@ -56,7 +56,7 @@ class LinearSolver {
   /// From the guess if the method iterates. Errors: SolveError when no method met both limits.
   LinearResult solve(const Eigen::VectorXd& b, const Eigen::VectorXd& guess);
 
-  /// x with ||b - Ax|| <= 1e-6 ||b||, by the method that solved last and no other: for what is not worth the time of a
+  /// x with ||b - Ax|| <= 2e-6 ||b||, by the method that solved last and no other: for what is not worth the time of a
   /// more robust one. Nothing where it does not get there.
   std::optional<Eigen::VectorXd> approximate(const Eigen::VectorXd& b);
 

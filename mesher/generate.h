@@ -35,7 +35,7 @@ struct GenerateOptions {
   Preset preset = Preset::Good;            // of the fast schedule
   ParticleOptions particles = {};          // forces and population
   std::uint64_t seed = 1;                  // of the random engine, where a schedule uses one
-  std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond
+  std::int64_t max_vertices = 10'000'000;  // safety limit, LimitError beyond; never above 2^29 / 3
   double chord_error = 0.01;               // how far edges may be from a curve, as a share of its extent, above 0
 
   // Signed second derivatives of a function, U / L^2, not owned. When given, the finished mesh is changed so that the
@@ -71,8 +71,8 @@ struct GenerateResult {
 /// Vertices on curved segments are on the curves.
 ///
 /// Errors: GeometryError for a domain that clean() refuses; LimitError when the integral of the
-/// metric asks for more than max_vertices; MeshingError when no valid mesh could be made.
-/// Cost: O(n).
+/// metric asks for more than max_vertices, or than 178 956 970, since edges have 32-bit numbers; MeshingError when no
+/// valid mesh could be made. Cost: O(n).
 GenerateResult generate(const Domain& domain, const MetricField& field, const GenerateOptions& options = {},
                         std::optional<Mesh> previous = std::nullopt);
 

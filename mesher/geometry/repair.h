@@ -56,7 +56,8 @@ struct StraightSegments {
   std::vector<int> numbers;
 };
 
-/// Errors: GeometryError for indices out of range, coordinates that are not finite or over 1e75, a negative tolerance.
+/// Errors: GeometryError for indices out of range, coordinates that are not finite, a negative tolerance; InputError
+/// for coordinates over 1e75.
 void check_input(const Domain& domain);
 
 /// Equal points, and those nearer than the domain's tolerance, become the first of them, and points near the end of a
@@ -73,7 +74,7 @@ bool ends_meet(const Domain& domain, const Segment& segment);
 /// The same without the checks, once they are made: ends of pieces may be off by more than their extent allows.
 DomainRepair cut_curves(DomainRepair repair);
 
-/// Errors: GeometryError for fewer than three points or all on one line; for a diameter under 1e-75.
+/// Errors: GeometryError for fewer than three points or all on one line; InputError for a diameter under 1e-75.
 void require_extent(const DomainRepair& repair);
 
 /// Drops segments of no length, and those that join the same points as an earlier one.

@@ -18,7 +18,8 @@ bool is_domain_file_name(const std::string& path);
 /// .poly (Triangle): segments with markers as labels, holes, regions. .dat: an airfoil (see read_airfoil).
 /// .mesh, .meshb (Medit), .msh (Gmsh): without triangles the edges are the segments and bound the domain by the
 /// even-odd rule; with triangles the domain is that of the mesh, its boundary and labelled edges, as it is for .node
-/// and .ele. Errors: FileError with the line or the byte, or naming the suffixes that are known.
+/// and .ele. Errors: FileError with the line or the byte, or naming the suffixes that are known; FileValueError where a
+/// number is not finite or refers to nothing.
 Domain read_geometry(const std::string& path);
 
 /// The segments of a mesh without triangles, by the even-odd rule, or the domain of one with triangles (see domain_of).

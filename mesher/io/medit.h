@@ -17,7 +17,8 @@ namespace parmesan {
 /// regions; those of vertices and other keywords are skipped. The keywords may come in any order, but the first must be
 /// MeshVersionFormatted and the last End: a file without it counts as cut off. In dimension 3 all
 /// z must be 0. Triangles keep the orientation that they have in the file.
-/// Errors: FileError with the line, also for Quadrilaterals and solids.
+/// Errors: FileError with the line, also for Quadrilaterals and solids; FileValueError where a number is not finite or
+/// refers to nothing.
 /// Cost: O(size); 0.3 s for a million vertices with their triangles.
 Mesh read_medit(const std::string& path);
 
@@ -29,7 +30,7 @@ Mesh parse_medit(std::string_view text, const std::string& name);
 void write_medit(const std::string& path, const Mesh& mesh);
 
 /// Reads a binary Medit mesh (.meshb, versions 1 to 4, either byte order) as read_medit reads its text.
-/// Errors: FileError with the byte. Cost: O(size); 0.1 s of CPU to read and write a million vertices with their
+/// Errors: as read_medit, with the byte. Cost: O(size); 0.1 s of CPU to read and write a million vertices with their
 /// triangles.
 Mesh read_meshb(const std::string& path);
 Mesh parse_meshb(std::string_view bytes, const std::string& name);
@@ -41,13 +42,14 @@ void write_meshb(const std::string& path, const Mesh& mesh);
 /// tensor m11 m12 m22 (type 3) or a size h (type 1), which gives the isotropic metric h^-2 I.
 ///
 /// Units: m in L^-2, h in L. expected_count: the number of vertices, checked where given.
-/// Errors: FileError with the line or the byte, also where a tensor is not positive definite.
+/// Errors: FileError with the line or the byte; FileValueError where a number is not finite or a tensor not positive
+/// definite.
 std::vector<Metric> read_medit_metric(const std::string& path, std::optional<int> expected_count = std::nullopt);
 std::vector<Metric> parse_medit_metric(std::string_view text, const std::string& name,
                                        std::optional<int> expected_count = std::nullopt);
 
 /// Reads one symmetric tensor m11 m12 m22 per vertex (type 3), definite or not, from .sol or .solb.
-/// Errors: FileError with the line or the byte.
+/// Errors: FileError with the line or the byte; FileValueError where a number is not finite.
 std::vector<SymmetricTensor> read_medit_tensor(const std::string& path,
                                                std::optional<int> expected_count = std::nullopt);
 

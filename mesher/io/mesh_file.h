@@ -42,11 +42,11 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
 
 /// Reads a mesh in the format that the suffix names: .mesh, .meshb, .msh, or .node or .ele (reads both, and .edge
 /// where there is one). A mesh seen from below, all of its triangles clockwise, is turned. Errors: FileError with the
-/// line or the byte.
+/// line or the byte; FileValueError where a number is not finite or refers to nothing.
 Mesh read_mesh_file(const std::string& path);
 
 /// The same with the fields of the file; those of .mesh and .meshb are looked for in .sol and .solb beside them.
-/// Errors: FileError, also where there are not as many values as vertices or triangles.
+/// Errors: as read_mesh_file; FileError, too, where there are not as many values as vertices or triangles.
 MeshData read_mesh_data(const std::string& path);
 
 /// Reads a mesh that can be computed on: boundary sides without an edge get one (see cover_boundary).

@@ -21,7 +21,8 @@ enum class Encoding { Text, Binary };
 /// NodeData and ElementData become fields, but for those called "required" of 0 and 1: they mark what is required to
 /// stay, of lines and triangles in one. Of several time steps the last one counts. All z must be 0.
 /// Errors: FileError with the line, or the byte of a binary file; also for elements of other kinds, fields that have
-/// not one value per node or triangle, and vectors and tensors that leave the plane or are not symmetric.
+/// not one value per node or triangle, and vectors and tensors that leave the plane or are not symmetric;
+/// FileValueError where a number is not finite or refers to nothing.
 MeshData read_msh(const std::string& path);
 MeshData parse_msh(std::string_view bytes, const std::string& name);
 

@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "adapt/adapt_loop.h"
 #include "adapt/compare.h"
+#include "mesher/cracks.h"
 #include "mesher/errors.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/msh.h"
@@ -32,9 +34,9 @@ TEST_CASE("run_case leaves what users were promised", "[adapt][run]") {
   const TemporaryFolder folder;
   const RunResult result = run_case(interpolation_case("sin(3*x)*y^2", small), into(folder));
   CHECK(result.summary.targets_met);
-  for (const char* name :
-       {"case.json", "iterations/000/mesh.vtu", "iterations/000/mesh.mesh", "iterations/000/metric.sol", "mesh.vtu",
-        "mesh.mesh", "mesh.svg", "run.pvd", "convergence.csv", "summary.json"})
+  for (const char* name : {"case.json", "iterations/000/mesh.vtu", "iterations/000/mesh.mesh",
+                           "iterations/000/mesh.sol", "iterations/000/metric.sol", "mesh.vtu", "mesh.mesh", "mesh.sol",
+                           "mesh.svg", "run.pvd", "convergence.csv", "summary.json"})
     CHECK(folder.has(name));
   const auto summary = nlohmann::json::parse(content_of(folder / "summary.json"));
   CHECK(summary["stop_reason"] == "vertices");
@@ -59,6 +61,24 @@ TEST_CASE("a Gmsh mesh of a run has the names of its sides, and its fields", "[a
   CHECK(names.contains("left"));
   CHECK(data.fields.points.front().name == "solution");
   CHECK(data.fields.points.front().values.size() == mesh.points.size());
+}
+
+TEST_CASE("the solution of a run can be interpolated by another, also on both sides of a crack", "[adapt][run]") {
+  const TemporaryFolder folder("run_solution");
+  const std::string geometry = R"({"geometry": {"rectangle": {"min": [-1, -1], "max": [1, 1]}, "segments": [
+      {"from": [-0.5, 0], "to": [0.5, 0], "label": "above", "label_right": "below"}]}, )";
+  const Case input = parse_case(geometry + R"("problem": {"boundary": {"*": {"dirichlet": 0},
+      "above": {"dirichlet": 1}, "below": {"dirichlet": -1}}}, "targets": {"vertices": 200},
+      "initial": {"vertices": 100}, "mesher": {"preset": "fast"}})",
+                                "slit.json");
+  run_case(input, into(folder));
+  const LoopResult again = adapt(input, {});
+  const Case next = parse_case(geometry + R"("problem": {"interpolate": {"file": "mesh.sol", "mesh": "mesh.mesh"}}})",
+                               folder.file("next.json"));
+  REQUIRE(next.given);
+  CHECK(has_cracks(next.given->mesh));
+  CHECK(next.given->mesh.points == again.last.mesh.points);
+  CHECK(next.given->values == again.last.values);  // bit by bit
 }
 
 TEST_CASE("the same case leaves the same mesh file", "[adapt][run]") {

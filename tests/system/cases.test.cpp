@@ -8,6 +8,7 @@
 
 using Json = nlohmann::json;
 using parmesan::support::ProgramResult;
+using parmesan::support::read_file;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
 
@@ -43,6 +44,35 @@ TEST_CASE("every case that comes along is valid", "[system][cases]") {
   const ProgramResult result = run_program(arguments);
   CHECK(result.exit_code == 0);
   CHECK(result.err.empty());
+}
+
+TEST_CASE("the example of the page on case files is a valid case", "[system][cases]") {
+  const std::string page = read_file(std::string(PARMESAN_SOURCE_DIR) + "/cases/CASE-FILE.md");
+  const std::string fence = "```jsonc\n";
+  const std::size_t begin = page.find(fence);
+  REQUIRE(begin != std::string::npos);
+  const std::size_t end = page.find("```", begin + fence.size());
+  const TemporaryFolder folder;
+  const std::string example =
+      folder.write("example.json", page.substr(begin + fence.size(), end - begin - fence.size()));
+  const ProgramResult result = run_program({"check", example});
+  INFO(result.err);
+  CHECK(result.exit_code == 0);
+}
+
+TEST_CASE("check tells the size and the memory that are known, and whether they are aimed at", "[system][cases]") {
+  const TemporaryFolder folder;
+  const auto said = [&folder](const std::string& targets) {
+    return run_program({"check", folder.write("case.json", R"({"geometry": {"rectangle": {"min": [0, 0],
+        "max": [1, 1]}}, "problem": {"interpolate": "x^2 + y^2"}, "targets": )" +
+                                                               targets + "}")})
+        .out;
+  };
+  CHECK_THAT(said(R"({"vertices": 5000})"), Catch::Contains("; aims at 5000 vertices, about 18 MB"));
+  CHECK_THAT(said(R"({"vertices": 5000, "l2_error": 1e-4})"),
+             Catch::Contains("takes at least about 2981 vertices, about 16 MB; at most 5000 vertices"));
+  CHECK_THAT(said(R"({"max_vertices": 1000, "l2_error": 1e-4})"), Catch::Contains("more than the 1000 allowed"));
+  CHECK_THAT(said(R"({"h1_error": 1e-2})"), Catch::Contains("will follow from the error; the safety limit"));
 }
 
 TEST_CASE("every case, small, is as accurate as its pass limits say of the full one", "[system][cases][slow]") {

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include "adapt/number_text.h"
+#include "adapt/targets.h"
 #include "adapt/trial.h"
 #include "tools/cli/case_options.h"
 #include "tools/cli/commands.h"
@@ -18,15 +20,26 @@ struct CheckArguments {
   CommonOptions common;
 };
 
-// The size the loop is allowed to reach, as far as the case says, and what memory that takes.
-std::string expected_size(const Case& input, const Limits& limits) {
-  if (!input.targets.vertices && !input.targets.max_vertices)
-    return "its size will follow from the error (the safety limit is " + std::to_string(limits.vertices) + " vertices)";
-  const std::int64_t most = input.targets.vertices.value_or(input.targets.max_vertices.value_or(0));
-  const std::string count = std::to_string(most) + " vertices";
-  const std::string memory = "about " + short_number(std::round(expected_memory_mb(input, most)), 6) + " MB";
-  if (input.targets.vertices) return "aims at " + count + ", " + memory;
-  return "at most " + count + ", " + memory;
+std::string size_text(const Case& input, std::int64_t vertices) {
+  const double memory = std::round(expected_memory_mb(input, vertices));
+  return std::to_string(vertices) + " vertices, about " + short_number(memory, 6) + " MB";
+}
+
+// The size that the loop will reach, or may reach, as far as that is known, and what memory it takes.
+std::string expected_size(const Case& input, const Trial& trial, const Limits& limits) {
+  const Targets& targets = input.targets;
+  if (targets.vertices && !declares_error_target(targets)) return "aims at " + size_text(input, *targets.vertices);
+  const std::int64_t most =
+      std::min(targets.vertices.value_or(limits.vertices), targets.max_vertices.value_or(limits.vertices));
+  if (trial.least_vertices && *trial.least_vertices > static_cast<double>(most))
+    return "the L2 error aimed at takes about " + short_number(*trial.least_vertices, 2) + " vertices, more than the " +
+           std::to_string(most) + " allowed";
+  std::string text;
+  if (trial.least_vertices)
+    text = "the L2 error aimed at takes at least about " + size_text(input, std::llround(*trial.least_vertices)) + "; ";
+  if (targets.vertices || targets.max_vertices) return text + "at most " + size_text(input, most);
+  if (text.empty()) text = "its size will follow from the error; ";
+  return text + "the safety limit is " + std::to_string(limits.vertices) + " vertices";
 }
 
 std::string trial_text(const IterationRow& row) {
@@ -42,11 +55,11 @@ ExitCode check_one(const std::string& file, const CommonOptions& common) {
   try {
     naming_file(file, [&] {
       const Case input = read_case(file);
-      const IterationRow row = try_out(input, common.limits.vertices);
+      const Trial trial = try_out(input, common.limits.vertices);
       if (common.quiet) return;
       std::cout << escape_control(file) << ": valid, " << input.domain.points.size() << " points, "
-                << input.domain.segments.size() << " segments, " << trial_text(row) << "; "
-                << expected_size(input, common.limits) << std::endl;
+                << input.domain.segments.size() << " segments, " << trial_text(trial.row) << "; "
+                << expected_size(input, trial, common.limits) << std::endl;
     });
     return ExitCode::Done;
   } catch (const std::runtime_error&) {

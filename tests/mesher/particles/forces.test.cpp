@@ -62,7 +62,7 @@ TEST_CASE("a particle displaced from the lattice is driven back", "[mesher][part
 }
 
 TEST_CASE("Newton's step on the hexagonal lattice is e / 24, and 0.136 still converges", "[mesher][particles]") {
-  // A small displacement d gives the step -k d; with delta = e/24, k would be 1 (THESIS-NOTES).
+  // A small displacement d gives the step -k d; with delta = e/24, k would be 1.
   const Hexagon hexagon;
   const Point p{1e-5, 0.0};
   const double k = -hexagon.force_at(p).x / p.x;
