@@ -11,6 +11,7 @@
 #include "mesher/curve_vertices.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/chord_limits.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/outside_parts.h"
@@ -24,6 +25,7 @@
 #include "mesher/triangulation/refine.h"
 #include "mesher/triangulation/triangulate.h"
 #include "mesher/user_labels.h"
+#include "mesher/validate.h"
 
 namespace parmesan {
 namespace {

@@ -9,8 +9,10 @@
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
+#include "mesher/validate.h"
 
 namespace parmesan {
 namespace {

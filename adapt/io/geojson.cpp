@@ -9,6 +9,8 @@
 #include "adapt/io/geojson_features.h"
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/clean.h"
+#include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/geometry/even_odd.h"
 #include "mesher/index.h"
 #include "mesher/io/text.h"

@@ -1,3 +1,5 @@
+#include "mesher/geometry/domain_of_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <utility>
 
 #include "mesher/cracks.h"
-#include "mesher/geometry/domain.h"
 #include "mesher/geometry/hole_seeds.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/index.h"

@@ -9,6 +9,7 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/box_tree.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/hilbert.h"
 #include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/outline.h"
