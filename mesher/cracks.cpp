@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mesher/disjoint_sets.h"
 #include "mesher/errors.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
@@ -25,12 +26,11 @@ int corner_at(const Mesh& mesh, int triangle, int vertex) {
 class Opener {
  public:
   Opener(const Mesh& mesh, std::span<const std::optional<int>> right_labels)
-      : mesh_(mesh), right_labels_(right_labels), sides_(sides_of(mesh)), sector_(3 * mesh.triangles.size()) {
-    std::iota(sector_.begin(), sector_.end(), 0);
+      : mesh_(mesh), right_labels_(right_labels), sides_(sides_of(mesh)), sectors_(3 * mesh.triangles.size()) {
     for (const MeshSide& side : sides_)
       if (side.left >= 0 && side.right >= 0 && !is_crack(side))
         for (const int v : {side.low, side.high})
-          sector_[at(root(corner_at(mesh_, side.left, v)))] = root(corner_at(mesh_, side.right, v));
+          sectors_.unite(corner_at(mesh_, side.left, v), corner_at(mesh_, side.right, v));
   }
 
   OpenedMesh run() {
@@ -49,17 +49,12 @@ class Opener {
  private:
   bool is_crack(const MeshSide& side) const { return side.edge >= 0 && right_labels_[at(side.edge)].has_value(); }
 
-  int root(int corner) {
-    while (sector_[at(corner)] != corner) corner = sector_[at(corner)] = sector_[at(sector_[at(corner)])];
-    return corner;
-  }
-
   /// The number of each sector within its vertex, in the order of the triangles.
   void number_sectors() {
-    number_.assign(sector_.size(), -1);
+    number_.assign(3 * mesh_.triangles.size(), -1);
     num_sectors_.assign(mesh_.points.size(), 0);
-    for (int c = 0; c < static_cast<int>(sector_.size()); ++c) {
-      int& number = number_[at(root(c))];
+    for (int c = 0; c < static_cast<int>(number_.size()); ++c) {
+      int& number = number_[at(sectors_.find(c))];
       if (number < 0) number = num_sectors_[at(mesh_.triangles[at(c / 3)][at(c % 3)])]++;
     }
     keep_whole_off_cracks();
@@ -85,7 +80,7 @@ class Opener {
 
   int vertex_at(int corner) {
     const int v = mesh_.triangles[at(corner / 3)][at(corner % 3)];
-    return first_[at(v)] + (num_sectors_[at(v)] > 1 ? number_[at(root(corner))] : 0);
+    return first_[at(v)] + (num_sectors_[at(v)] > 1 ? number_[at(sectors_.find(corner))] : 0);
   }
 
   void open_edges() {
@@ -135,7 +130,7 @@ class Opener {
   const Mesh& mesh_;
   std::span<const std::optional<int>> right_labels_;
   std::vector<MeshSide> sides_;
-  std::vector<int> sector_;       // of each corner, another corner of the same sector
+  DisjointSets sectors_;          // of corners
   std::vector<int> number_;       // of the sector at its root
   std::vector<int> num_sectors_;  // of each vertex
   std::vector<int> first_;        // copy of each vertex
