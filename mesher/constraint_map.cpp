@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mesher/geometry/isolated_points.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
@@ -52,15 +53,11 @@ void ConstraintMap::bind_to_segments() {
 
 // Domain points that no segment ends at are recognised by their coordinates.
 void ConstraintMap::find_isolated_points() {
-  std::vector<int> isolated = isolated_points(domain_);
-  if (isolated.empty()) return;
-  const auto point_before = [this](int p, const Point& q) { return comes_before(domain_.points[at(p)], q); };
-  std::sort(isolated.begin(), isolated.end(), [&](int p, int q) { return point_before(p, domain_.points[at(q)]); });
-  for (int v = 0; v < mesh_.num_vertices(); ++v) {
-    const Point& p = mesh_.points[at(v)];
-    const auto found = std::lower_bound(isolated.begin(), isolated.end(), p, point_before);
-    if (found != isolated.end() && domain_.points[at(*found)] == p) point_[at(v)] = *found;
-  }
+  const std::vector<int> numbers = isolated_points(domain_);
+  if (numbers.empty()) return;
+  const PointFinder isolated(domain_.points, numbers);
+  for (int v = 0; v < mesh_.num_vertices(); ++v)
+    if (const int p = isolated.find(mesh_.points[at(v)]); p >= 0) point_[at(v)] = p;
 }
 
 bool ConstraintMap::is_constrained(int a, int b) const {

@@ -9,6 +9,7 @@
 
 #include "mesher/disjoint_sets.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 
@@ -138,24 +139,13 @@ class Opener {
   OpenedMesh result_;
 };
 
-/// The ends of edges, by their place and then their number.
-std::vector<int> ends_by_place(const Mesh& mesh) {
-  std::vector<int> ends;
-  ends.reserve(2 * mesh.edges.size());
-  for (const auto& e : mesh.edges) ends.insert(ends.end(), e.begin(), e.end());
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::stable_sort(ends.begin(), ends.end(),
-                   [&mesh](int a, int b) { return comes_before(mesh.points[at(a)], mesh.points[at(b)]); });
-  return ends;
-}
-
-/// New numbers of the vertices where those at one place become one.
-std::vector<int> numbers_by_place(const Mesh& mesh, const std::vector<int>& ends) {
+/// New numbers of the vertices where ends of edges at one place become one.
+std::vector<int> numbers_by_place(const Mesh& mesh) {
+  const std::vector<int> ends = ends_of_edges(mesh);
+  const PointFinder finder(mesh.points, ends);
   std::vector<int> first(mesh.points.size());
   std::iota(first.begin(), first.end(), 0);
-  for (std::size_t i = 1; i < ends.size(); ++i)
-    if (mesh.points[at(ends[i])] == mesh.points[at(ends[i - 1])]) first[at(ends[i])] = first[at(ends[i - 1])];
+  for (const int v : ends) first[at(v)] = finder.find(mesh.points[at(v)]);
   int next = 0;
   std::vector<int> numbers(first.size());
   for (std::size_t v = 0; v < first.size(); ++v) numbers[v] = at(first[v]) == v ? next++ : numbers[at(first[v])];
@@ -202,14 +192,14 @@ OpenedMesh open_cracks(const Mesh& mesh, std::span<const std::optional<int>> rig
 }
 
 bool has_cracks(const Mesh& mesh) {
-  const std::vector<int> ends = ends_by_place(mesh);
-  const auto coincide = [&mesh](int a, int b) { return mesh.points[at(a)] == mesh.points[at(b)]; };
-  return std::adjacent_find(ends.begin(), ends.end(), coincide) != ends.end();
+  const std::vector<int> ends = ends_of_edges(mesh);
+  const PointFinder finder(mesh.points, ends);
+  return std::ranges::any_of(ends, [&](int v) { return finder.find(mesh.points[at(v)]) != v; });
 }
 
 ClosedMesh close_cracks(const Mesh& mesh) {
   ClosedMesh result;
-  result.vertices = numbers_by_place(mesh, ends_by_place(mesh));
+  result.vertices = numbers_by_place(mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (result.vertices[v] == result.mesh.num_vertices()) result.mesh.points.push_back(mesh.points[v]);
   result.mesh.triangles = mesh.triangles;

@@ -1,6 +1,7 @@
 #include "mesher/mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace parmesan {
 
@@ -8,6 +9,13 @@ std::vector<int> ascending(std::vector<int> numbers) {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
+}
+
+std::vector<int> ends_of_edges(const Mesh& mesh) {
+  std::vector<int> ends;
+  ends.reserve(2 * mesh.edges.size());
+  for (const auto& edge : mesh.edges) ends.insert(ends.end(), edge.begin(), edge.end());
+  return ascending(std::move(ends));
 }
 
 std::string label_name(const LabelNames& names, int label) {

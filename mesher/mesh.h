@@ -49,6 +49,9 @@ struct Mesh {
   int num_edges() const { return static_cast<int>(edges.size()); }
 };
 
+/// The vertices that edges end at, ascending.
+std::vector<int> ends_of_edges(const Mesh& mesh);
+
 /// The name of a label, or its number in decimal.
 std::string label_name(const LabelNames& names, int label);
 

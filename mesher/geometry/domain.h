@@ -28,6 +28,11 @@ inline Segment piece_of(Segment segment, int a, int b) {
   return segment;
 }
 
+/// Do both end at one of the domain's points?
+inline bool have_common_end(const Segment& s, const Segment& t) {
+  return s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
+}
+
 /// All triangles that can be reached from the point without crossing a segment get this region.
 struct RegionSeed {
   Point point;

@@ -136,10 +136,7 @@ double Sampler::nearest_isolated(const Point& p) const {
 
 double Sampler::feature_size_on(int segment, const Point& p) const {
   const Segment& s = domain_.segments[at(segment)];
-  const auto is_apart = [&](int other) {
-    const Segment& o = domain_.segments[at(other)];
-    return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
-  };
+  const auto is_apart = [&](int other) { return !have_common_end(s, domain_.segments[at(other)]); };
   const double length = norm(domain_.points[at(s.b)] - domain_.points[at(s.a)]);
   return std::min({length, segments_.nearest(p, is_apart).distance, nearest_isolated(p)});
 }
