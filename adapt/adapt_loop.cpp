@@ -16,6 +16,7 @@
 #include "adapt/stopwatch.h"
 #include "adapt/targets.h"
 #include "mesher/errors.h"
+#include "mesher/metric/complexity.h"
 #include "mesher/metric/tensor_interpolant.h"
 
 namespace parmesan {

@@ -225,7 +225,7 @@ BackgroundMesh graded(SizedPlaces places, double growth, double h_max) {
     const ConvertedMesh converted = to_mesh(delaunay(places.points).triangulation, {});
     std::vector<Metric> metrics;
     for (const VertexId v : converted.slots) metrics.push_back(Metric::isotropic(places.sizes[at(v)]));
-    metrics = limit_gradation(converted.mesh, metrics, growth).metrics;
+    metrics = limit_gradation(converted.mesh, metrics, growth);
     std::vector<double> sizes;
     sizes.reserve(metrics.size());
     for (const Metric& m : metrics) sizes.push_back(1.0 / std::sqrt(m.tensor().xx));

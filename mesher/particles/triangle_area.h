@@ -11,8 +11,8 @@ inline double left_area(const ParticleSystem& particles, EdgeId e) {
   const VertexId a = mesh.org(e);
   const VertexId b = mesh.dest(e);
   const VertexId c = mesh.dest(mesh.onext(e));
-  return metric_area(mesh.point(a), mesh.point(b), mesh.point(c), particles.metric(a), particles.metric(b),
-                     particles.metric(c));
+  return metric_area(mesh.point(a), mesh.point(b), mesh.point(c),
+                     mean(particles.metric(a), particles.metric(b), particles.metric(c)));
 }
 
 }  // namespace parmesan
