@@ -15,7 +15,7 @@
 #include "mesher/geometry/outline.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/outside_parts.h"
-#include "mesher/particles/boundary.h"
+#include "mesher/particles/curve_chords.h"
 #include "mesher/particles/error_descent.h"
 #include "mesher/particles/fast_schedule.h"
 #include "mesher/particles/overlooked.h"
