@@ -17,6 +17,7 @@
 #include "adapt/second_derivatives.h"
 #include "adapt/stopwatch.h"
 #include "adapt/targets.h"
+#include "mesher/metric/complexity.h"
 
 namespace parmesan {
 namespace {

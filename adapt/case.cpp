@@ -11,6 +11,7 @@
 #include "adapt/expression_names.h"
 #include "adapt/json_text.h"
 #include "adapt/schema_check.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/io/text.h"
 
 namespace parmesan {

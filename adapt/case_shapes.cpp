@@ -12,6 +12,7 @@
 #include "adapt/nearest_name.h"
 #include "adapt/shapes.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/set_operation.h"
 
 namespace parmesan {

@@ -17,6 +17,7 @@
 #include "mesher/errors.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/text.h"
+#include "mesher/validate.h"
 
 namespace parmesan {
 

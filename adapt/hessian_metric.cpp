@@ -11,6 +11,7 @@
 #include "adapt/aspect_bound.h"
 #include "adapt/size_limits.h"
 #include "mesher/errors.h"
+#include "mesher/metric/complexity.h"
 #include "mesher/metric/gradation.h"
 
 namespace parmesan {
@@ -95,14 +96,14 @@ std::vector<Eigen2> multiplied(std::span<const Eigen2> shapes, double factor) {
   return result;
 }
 
-Gradation limited_metrics(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, const Limits& limits) {
+std::vector<Metric> limited_metrics(const Mesh& mesh, std::span<const Eigen2> shapes, double factor,
+                                    const Limits& limits) {
   const std::vector<Eigen2> wanted = multiplied(shapes, factor);
   std::vector<Metric> metrics;
   metrics.reserve(wanted.size());
   for (std::size_t v = 0; v < wanted.size(); ++v)
     metrics.push_back(Metric::from_tensor(compose(limit_sizes(wanted[v], limits.sizes[v]))));
-  if (limits.gradation > 1.0) return limit_gradation(mesh, metrics, limits.gradation);
-  return {std::move(metrics), 0, true};
+  return limits.gradation > 1.0 ? limit_gradation(mesh, metrics, limits.gradation) : metrics;
 }
 
 // The factor that would do without limits.
@@ -116,7 +117,7 @@ double unlimited_factor(const Mesh& mesh, std::span<const Eigen2> shapes, double
 /// Metrics within their limits, and the factor on the shapes that leads to them.
 struct Scaled {
   double factor = 1.0;
-  Gradation limited;
+  std::vector<Metric> metrics;
 };
 
 // Secant in log D, log C, kept inside the bracket found so far; C grows with D.
@@ -129,8 +130,8 @@ Scaled rescaled(const Mesh& mesh, std::span<const Eigen2> shapes, double wanted,
   Scaled result;
   for (int step = 0; step < max_steps; ++step) {
     result.factor = std::exp(x);
-    result.limited = limited_metrics(mesh, shapes, result.factor, limits);
-    const double y = std::log(complexity(mesh, result.limited.metrics) / wanted);
+    result.metrics = limited_metrics(mesh, shapes, result.factor, limits);
+    const double y = std::log(complexity(mesh, result.metrics) / wanted);
     if (std::abs(y) < tolerance) break;
     (y < 0.0 ? low : high) = x;
     const double slope = step > 0 && x != last_x ? (y - last_y) / (x - last_x) : 1.0;
@@ -147,10 +148,10 @@ Scaled rescaled(const Mesh& mesh, std::span<const Eigen2> shapes, double wanted,
 Clipped graded(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, const Limits& limits,
                const std::vector<Metric>& metrics) {
   constexpr double tolerance = 1e-9;
-  const Gradation before = limited_metrics(mesh, shapes, factor, {limits.sizes, 0.0});
+  const std::vector<Metric> before = limited_metrics(mesh, shapes, factor, {limits.sizes, 0.0});
   Clipped clipped;
   for (std::size_t v = 0; v < metrics.size(); ++v) {
-    if (metrics[v].density() > (1.0 + tolerance) * before.metrics[v].density()) clipped.add(mesh.points[v]);
+    if (metrics[v].density() > (1.0 + tolerance) * before[v].density()) clipped.add(mesh.points[v]);
   }
   return clipped;
 }
@@ -159,8 +160,8 @@ Clipped graded(const Mesh& mesh, std::span<const Eigen2> shapes, double factor, 
 HessianMetric of_shapes(const Mesh& mesh, std::span<const Eigen2> shapes, const Limits& limits,
                         const MetricRequest& request) {
   HessianMetric result;
-  auto [factor, limited] = rescaled(mesh, shapes, request.complexity, limits);
-  result.metrics = std::move(limited.metrics);
+  auto [factor, metrics] = rescaled(mesh, shapes, request.complexity, limits);
+  result.metrics = std::move(metrics);
   result.complexity = complexity(mesh, result.metrics);
   result.clipped = clipped_sizes(mesh, multiplied(shapes, factor), limits.sizes);
   if (limits.gradation > 1.0) result.clipped.gradation = graded(mesh, shapes, factor, limits, result.metrics);
@@ -186,8 +187,6 @@ double complexity(const Mesh& mesh, std::span<const Metric> metrics) {
   }
   return sum;
 }
-
-double complexity_for_vertices(double vertices) { return 0.5 * std::numbers::sqrt3 * vertices; }
 
 double sign_factor(double norm) {
   constexpr std::array<std::array<double, 2>, 4> table{{{0.0, 0.75}, {0.25, 0.509}, {0.5, 0.5}, {1.0, 0.547}}};

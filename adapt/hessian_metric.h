@@ -33,9 +33,6 @@ struct HessianMetric {
 /// edge midpoints and centroid (degree 3).
 double complexity(const Mesh& mesh, std::span<const Metric> metrics);
 
-/// A unit mesh of this complexity has N_V ~ 2 C / sqrt3 vertices.
-double complexity_for_vertices(double vertices);
-
 /// The density relative to det H > 0 that is best where det H < 0, for triangles equilateral in |H|
 /// (0.547, 1/2, 0.509, 0.75 for p = 1, 2, 4, infinity; in between linear in 1/p).
 double sign_factor(double norm);

@@ -19,6 +19,7 @@
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/metric/background_mesh.h"
+#include "mesher/metric/complexity.h"
 #include "mesher/number_text.h"
 
 namespace parmesan {

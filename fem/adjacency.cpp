@@ -3,18 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesher/disjoint_sets.h"
+
 namespace parmesan {
-
-namespace {
-
-/// The representative of the set of v, with path halving.
-int find_root(std::vector<int>& parent, int v) {
-  auto at = [&parent](int i) -> int& { return parent[static_cast<std::size_t>(i)]; };
-  while (at(v) != v) v = at(v) = at(at(v));
-  return v;
-}
-
-}  // namespace
 
 Adjacency vertex_triangles(const Mesh& mesh) {
   Adjacency result;
@@ -53,19 +44,15 @@ Adjacency vertex_neighbours(const Mesh& mesh) {
 }
 
 std::vector<int> vertex_components(const Mesh& mesh) {
-  std::vector<int> parent(mesh.points.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets components(mesh.points.size());
   for (const auto& t : mesh.triangles) {
-    for (const int v : {t[1], t[2]}) {
-      const int a = find_root(parent, t[0]);
-      const int b = find_root(parent, v);
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
+    components.unite(t[0], t[1]);
+    components.unite(t[0], t[2]);
   }
-  std::vector<int> component(parent.size());
+  std::vector<int> component(mesh.points.size());
   int count = 0;
-  for (std::size_t v = 0; v < parent.size(); ++v) {
-    const auto root = static_cast<std::size_t>(find_root(parent, static_cast<int>(v)));
+  for (std::size_t v = 0; v < component.size(); ++v) {
+    const auto root = static_cast<std::size_t>(components.find(static_cast<int>(v)));
     component[v] = root == v ? count++ : component[root];
   }
   return component;

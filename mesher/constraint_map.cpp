@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mesher/geometry/isolated_points.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
@@ -13,9 +14,11 @@
 namespace parmesan {
 namespace {
 
-std::uint64_t edge_key(int a, int b) {
-  const auto [low, high] = std::minmax(a, b);
-  return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint32_t>(high);
+std::vector<std::array<int, 2>> required_edges(const Mesh& mesh, const Domain& domain) {
+  std::vector<std::array<int, 2>> edges;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if (domain.segments[at(mesh.labels[e])].required) edges.push_back(mesh.edges[e]);
+  return edges;
 }
 
 }  // namespace
@@ -25,7 +28,9 @@ ConstraintMap::ConstraintMap(const Mesh& mesh, const Domain& domain)
       domain_(domain),
       point_(mesh.points.size(), -1),
       segment_(mesh.points.size(), -1),
-      segments_from_(domain.points.size()) {
+      segments_from_(domain.points.size()),
+      edges_(mesh.edges, mesh.points.size()),
+      required_(required_edges(mesh, domain), mesh.points.size()) {
   for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s)
     for (const int p : {domain.segments[at(s)].a, domain.segments[at(s)].b}) segments_from_[at(p)].push_back(s);
   bind_to_segments();
@@ -33,42 +38,25 @@ ConstraintMap::ConstraintMap(const Mesh& mesh, const Domain& domain)
 }
 
 void ConstraintMap::bind_to_segments() {
-  edges_.reserve(mesh_.edges.size());
   for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
     const auto& [a, b] = mesh_.edges[e];
-    edges_.push_back(edge_key(a, b));
     const int s = mesh_.labels[e];
     const Segment& segment = domain_.segments[at(s)];
-    if (segment.required) required_.push_back(edges_.back());
     for (const int v : {a, b}) {
       for (const int p : {segment.a, segment.b})
         if (mesh_.points[at(v)] == domain_.points[at(p)]) point_[at(v)] = p;
       segment_[at(v)] = point_[at(v)] < 0 ? s : -1;
     }
   }
-  std::sort(edges_.begin(), edges_.end());
-  std::sort(required_.begin(), required_.end());
 }
 
 // Domain points that no segment ends at are recognised by their coordinates.
 void ConstraintMap::find_isolated_points() {
-  std::vector<int> isolated = isolated_points(domain_);
-  if (isolated.empty()) return;
-  const auto point_before = [this](int p, const Point& q) { return comes_before(domain_.points[at(p)], q); };
-  std::sort(isolated.begin(), isolated.end(), [&](int p, int q) { return point_before(p, domain_.points[at(q)]); });
-  for (int v = 0; v < mesh_.num_vertices(); ++v) {
-    const Point& p = mesh_.points[at(v)];
-    const auto found = std::lower_bound(isolated.begin(), isolated.end(), p, point_before);
-    if (found != isolated.end() && domain_.points[at(*found)] == p) point_[at(v)] = *found;
-  }
-}
-
-bool ConstraintMap::is_constrained(int a, int b) const {
-  return std::binary_search(edges_.begin(), edges_.end(), edge_key(a, b));
-}
-
-bool ConstraintMap::is_required(int a, int b) const {
-  return std::binary_search(required_.begin(), required_.end(), edge_key(a, b));
+  const std::vector<int> numbers = isolated_points(domain_);
+  if (numbers.empty()) return;
+  const PointFinder isolated(domain_.points, numbers);
+  for (int v = 0; v < mesh_.num_vertices(); ++v)
+    if (const int p = isolated.find(mesh_.points[at(v)]); p >= 0) point_[at(v)] = p;
 }
 
 std::vector<int> ConstraintMap::segments_at(int vertex) const {

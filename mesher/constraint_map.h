@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
+#include "mesher/edge_finder.h"
 #include "mesher/geometry/domain.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric.h"
@@ -20,10 +20,10 @@ class ConstraintMap {
   bool is_bound(int vertex) const { return is_fixed(vertex) || segment_[static_cast<std::size_t>(vertex)] >= 0; }
 
   /// Is the edge between the two vertices a part of a segment?
-  bool is_constrained(int a, int b) const;
+  bool is_constrained(int a, int b) const { return edges_.find(a, b) >= 0; }
 
   /// Is the edge a required segment?
-  bool is_required(int a, int b) const;
+  bool is_required(int a, int b) const { return required_.find(a, b) >= 0; }
 
   /// Do the vertices lie on two segments that meet elsewhere, at less than 30 degrees in the metric?
   bool face_across_sharp_corner(int a, int b, const Metric& metric) const;
@@ -39,8 +39,8 @@ class ConstraintMap {
   std::vector<int> point_;                       // domain point of each vertex, -1: none
   std::vector<int> segment_;                     // segment that each vertex lies on, -1: none or a domain point
   std::vector<std::vector<int>> segments_from_;  // of each domain point
-  std::vector<std::uint64_t> edges_;             // constrained edges, sorted
-  std::vector<std::uint64_t> required_;          // those of required segments, sorted
+  EdgeFinder edges_;                             // that are constrained
+  EdgeFinder required_;                          // those of them of required segments
 };
 
 }  // namespace parmesan

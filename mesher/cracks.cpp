@@ -7,7 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "mesher/disjoint_sets.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 
@@ -25,12 +27,11 @@ int corner_at(const Mesh& mesh, int triangle, int vertex) {
 class Opener {
  public:
   Opener(const Mesh& mesh, std::span<const std::optional<int>> right_labels)
-      : mesh_(mesh), right_labels_(right_labels), sides_(sides_of(mesh)), sector_(3 * mesh.triangles.size()) {
-    std::iota(sector_.begin(), sector_.end(), 0);
+      : mesh_(mesh), right_labels_(right_labels), sides_(sides_of(mesh)), sectors_(3 * mesh.triangles.size()) {
     for (const MeshSide& side : sides_)
       if (side.left >= 0 && side.right >= 0 && !is_crack(side))
         for (const int v : {side.low, side.high})
-          sector_[at(root(corner_at(mesh_, side.left, v)))] = root(corner_at(mesh_, side.right, v));
+          sectors_.unite(corner_at(mesh_, side.left, v), corner_at(mesh_, side.right, v));
   }
 
   OpenedMesh run() {
@@ -49,17 +50,12 @@ class Opener {
  private:
   bool is_crack(const MeshSide& side) const { return side.edge >= 0 && right_labels_[at(side.edge)].has_value(); }
 
-  int root(int corner) {
-    while (sector_[at(corner)] != corner) corner = sector_[at(corner)] = sector_[at(sector_[at(corner)])];
-    return corner;
-  }
-
   /// The number of each sector within its vertex, in the order of the triangles.
   void number_sectors() {
-    number_.assign(sector_.size(), -1);
+    number_.assign(3 * mesh_.triangles.size(), -1);
     num_sectors_.assign(mesh_.points.size(), 0);
-    for (int c = 0; c < static_cast<int>(sector_.size()); ++c) {
-      int& number = number_[at(root(c))];
+    for (int c = 0; c < static_cast<int>(number_.size()); ++c) {
+      int& number = number_[at(sectors_.find(c))];
       if (number < 0) number = num_sectors_[at(mesh_.triangles[at(c / 3)][at(c % 3)])]++;
     }
     keep_whole_off_cracks();
@@ -85,7 +81,7 @@ class Opener {
 
   int vertex_at(int corner) {
     const int v = mesh_.triangles[at(corner / 3)][at(corner % 3)];
-    return first_[at(v)] + (num_sectors_[at(v)] > 1 ? number_[at(root(corner))] : 0);
+    return first_[at(v)] + (num_sectors_[at(v)] > 1 ? number_[at(sectors_.find(corner))] : 0);
   }
 
   void open_edges() {
@@ -135,7 +131,7 @@ class Opener {
   const Mesh& mesh_;
   std::span<const std::optional<int>> right_labels_;
   std::vector<MeshSide> sides_;
-  std::vector<int> sector_;       // of each corner, another corner of the same sector
+  DisjointSets sectors_;          // of corners
   std::vector<int> number_;       // of the sector at its root
   std::vector<int> num_sectors_;  // of each vertex
   std::vector<int> first_;        // copy of each vertex
@@ -143,24 +139,13 @@ class Opener {
   OpenedMesh result_;
 };
 
-/// The ends of edges, by their place and then their number.
-std::vector<int> ends_by_place(const Mesh& mesh) {
-  std::vector<int> ends;
-  ends.reserve(2 * mesh.edges.size());
-  for (const auto& e : mesh.edges) ends.insert(ends.end(), e.begin(), e.end());
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  std::stable_sort(ends.begin(), ends.end(),
-                   [&mesh](int a, int b) { return comes_before(mesh.points[at(a)], mesh.points[at(b)]); });
-  return ends;
-}
-
-/// New numbers of the vertices where those at one place become one.
-std::vector<int> numbers_by_place(const Mesh& mesh, const std::vector<int>& ends) {
+/// New numbers of the vertices where ends of edges at one place become one.
+std::vector<int> numbers_by_place(const Mesh& mesh) {
+  const std::vector<int> ends = ends_of_edges(mesh);
+  const PointFinder finder(mesh.points, ends);
   std::vector<int> first(mesh.points.size());
   std::iota(first.begin(), first.end(), 0);
-  for (std::size_t i = 1; i < ends.size(); ++i)
-    if (mesh.points[at(ends[i])] == mesh.points[at(ends[i - 1])]) first[at(ends[i])] = first[at(ends[i - 1])];
+  for (const int v : ends) first[at(v)] = finder.find(mesh.points[at(v)]);
   int next = 0;
   std::vector<int> numbers(first.size());
   for (std::size_t v = 0; v < first.size(); ++v) numbers[v] = at(first[v]) == v ? next++ : numbers[at(first[v])];
@@ -207,14 +192,14 @@ OpenedMesh open_cracks(const Mesh& mesh, std::span<const std::optional<int>> rig
 }
 
 bool has_cracks(const Mesh& mesh) {
-  const std::vector<int> ends = ends_by_place(mesh);
-  const auto coincide = [&mesh](int a, int b) { return mesh.points[at(a)] == mesh.points[at(b)]; };
-  return std::adjacent_find(ends.begin(), ends.end(), coincide) != ends.end();
+  const std::vector<int> ends = ends_of_edges(mesh);
+  const PointFinder finder(mesh.points, ends);
+  return std::ranges::any_of(ends, [&](int v) { return finder.find(mesh.points[at(v)]) != v; });
 }
 
 ClosedMesh close_cracks(const Mesh& mesh) {
   ClosedMesh result;
-  result.vertices = numbers_by_place(mesh, ends_by_place(mesh));
+  result.vertices = numbers_by_place(mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (result.vertices[v] == result.mesh.num_vertices()) result.mesh.points.push_back(mesh.points[v]);
   result.mesh.triangles = mesh.triangles;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/outside_parts.h"
 #include "mesher/triangulation/conversion.h"

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/domain_of_mesh.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
+#include "mesher/validate.h"
 
 namespace parmesan {
 namespace {
@@ -127,33 +129,24 @@ struct Joined {
   std::vector<int> of_kept;
 };
 
-/// The vertices at the ends of edges, by their place.
-std::map<std::pair<double, double>, int> ends_of_edges(const Mesh& mesh) {
-  std::map<std::pair<double, double>, int> ends;
-  for (const auto& edge : mesh.edges)
-    for (const int v : edge) ends[{mesh.points[at(v)].x, mesh.points[at(v)].y}] = v;
-  return ends;
-}
-
 /// The vertices of kept in the joined mesh, those along the seam, or where the halves touch in a point, being vertices
 /// of the rest; adds the others.
 std::vector<int> add_kept_vertices(const Halves& halves, Mesh& joined, const Mesh& rest) {
-  const auto at_place = ends_of_edges(rest);
+  const PointFinder ends(rest.points, ends_of_edges(rest));
   std::vector<int> numbers(halves.kept.mesh.points.size(), -1);
   for (const auto& side : halves.seam) {
     for (const int v : side) {
-      const Point& p = halves.kept.mesh.points[at(v)];
-      const auto found = at_place.find({p.x, p.y});
-      if (found == at_place.end()) throw MeshingError("a side of a required triangle did not stay whole");
-      numbers[at(v)] = found->second;
+      numbers[at(v)] = ends.find(halves.kept.mesh.points[at(v)]);
+      if (numbers[at(v)] < 0) throw MeshingError("a side of a required triangle did not stay whole");
     }
   }
   for (std::size_t v = 0; v < numbers.size(); ++v) {
     if (numbers[v] >= 0) continue;
     const Point& p = halves.kept.mesh.points[v];
-    const auto found = at_place.find({p.x, p.y});
-    numbers[v] = found != at_place.end() ? found->second : joined.num_vertices();
-    if (found == at_place.end()) joined.points.push_back(p);
+    numbers[v] = ends.find(p);
+    if (numbers[v] >= 0) continue;
+    numbers[v] = joined.num_vertices();
+    joined.points.push_back(p);
   }
   return numbers;
 }

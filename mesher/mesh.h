@@ -49,19 +49,10 @@ struct Mesh {
   int num_edges() const { return static_cast<int>(edges.size()); }
 };
 
-class HalfEdges;
+/// The vertices that edges end at, ascending.
+std::vector<int> ends_of_edges(const Mesh& mesh);
 
 /// The name of a label, or its number in decimal.
 std::string label_name(const LabelNames& names, int label);
-
-/// Throws GeometryError unless the mesh is one that can be computed on: indices in range, every
-/// triangle counter-clockwise by exact orientation, each edge shared by at most two triangles,
-/// once in each direction, the boundary covered by labelled edges, no orphan vertex, finite points;
-/// InputError for coordinates beyond max_coordinate.
-/// Cost: O(n).
-void validate(const Mesh& mesh);
-
-/// The same where the half-edges of its triangles are at hand, whose indices are then in range.
-void validate(const Mesh& mesh, const HalfEdges& half_edges);
 
 }  // namespace parmesan

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/curve_crossings.h"
 #include "mesher/geometry/kept_points.h"
 #include "mesher/geometry/rounding.h"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/geometry/isolated_points.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/index.h"
 #include "mesher/number_text.h"
 
@@ -26,12 +27,10 @@ std::vector<std::string> missing_segments(const Mesh& mesh, const Domain& domain
 std::vector<std::string> missing_points(const Mesh& mesh, const Domain& domain) {
   const std::vector<int> isolated = isolated_points(domain);
   if (isolated.empty()) return {};
-  std::vector<Point> vertices = mesh.points;
-  std::ranges::sort(vertices, comes_before);
+  const PointFinder vertices(mesh.points);
   std::vector<std::string> missing;
   for (const int p : isolated)
-    if (!std::ranges::binary_search(vertices, domain.points[at(p)], comes_before))
-      missing.push_back("the point " + text(domain.points[at(p)]));
+    if (!vertices.holds(domain.points[at(p)])) missing.push_back("the point " + text(domain.points[at(p)]));
   return missing;
 }
 

@@ -1,11 +1,11 @@
 #include "mesher/set_operation.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "mesher/disjoint_sets.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/repair.h"
@@ -105,18 +105,11 @@ std::optional<int> Arrangement::source_kept(int segment) const {
 }
 
 void Arrangement::find_groups() {
-  groups_.resize(at(faces_.count()));
-  std::iota(groups_.begin(), groups_.end(), 0);
-  const auto group = [this](int face) {
-    while (groups_[at(face)] != face) face = groups_[at(face)] = groups_[at(groups_[at(face)])];
-    return face;
-  };
-  for (int s = 0; s < num_segments(); ++s) {
-    if (sources_kept_[at(s)]) continue;
-    const auto [low, high] = std::minmax({group(faces_.beside(s)[0]), group(faces_.beside(s)[1])});
-    groups_[at(high)] = low;
-  }
-  for (int face = 0; face < faces_.count(); ++face) groups_[at(face)] = group(face);
+  DisjointSets groups(at(faces_.count()));
+  for (int s = 0; s < num_segments(); ++s)
+    if (!sources_kept_[at(s)]) groups.unite(faces_.beside(s)[0], faces_.beside(s)[1]);
+  groups_.reserve(at(faces_.count()));
+  for (int face = 0; face < faces_.count(); ++face) groups_.push_back(groups.find(face));
 }
 
 // A piece of a straight segment may run against the one whose labels it gets.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/geometry/point_finder.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 
@@ -22,12 +23,9 @@ RequiredParts required_parts(const Mesh& mesh, const Domain& domain) {
   RequiredParts required;
   for (int e = 0; e < mesh.num_edges(); ++e)
     if (domain.segments[at(mesh.labels[at(e)])].required) required.edges.push_back(e);
-  std::vector<Point> points;
-  for (const int p : domain.required_points) points.push_back(domain.points[at(p)]);
-  std::sort(points.begin(), points.end(), comes_before);
-  for (int v = 0; v < mesh.num_vertices() && !points.empty(); ++v)
-    if (std::binary_search(points.begin(), points.end(), mesh.points[at(v)], comes_before))
-      required.vertices.push_back(v);
+  const PointFinder required_points(domain.points, domain.required_points);
+  for (int v = 0; v < mesh.num_vertices(); ++v)
+    if (required_points.holds(mesh.points[at(v)])) required.vertices.push_back(v);
   return required;
 }
 

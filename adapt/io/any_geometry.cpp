@@ -5,6 +5,7 @@
 
 #include "adapt/io/geojson.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/io/boundary_edges.h"
 #include "mesher/io/geometry_file.h"

@@ -8,7 +8,10 @@
 
 #include "adapt/io/geojson_features.h"
 #include "mesher/delaunay_mesh.h"
+#include "mesher/disjoint_sets.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/clean.h"
+#include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/geometry/even_odd.h"
 #include "mesher/index.h"
 #include "mesher/io/text.h"
@@ -85,20 +88,13 @@ int region_at(const std::vector<GeoFeature>& features, const std::vector<int>& r
 
 /// The first triangle of the part, bounded by edges, to which each triangle belongs.
 std::vector<int> parts_of(const Mesh& mesh) {
-  std::vector<int> parent(mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int t) {
-    while (parent[at(t)] != t) t = parent[at(t)] = parent[at(parent[at(t)])];
-    return t;
-  };
-  for (const MeshSide& side : sides_of(mesh)) {
-    if (side.edge >= 0 || side.is_boundary()) continue;
-    const int a = root(side.left);
-    const int b = root(side.right);
-    parent[at(std::max(a, b))] = std::min(a, b);
-  }
-  for (int t = 0; t < mesh.num_triangles(); ++t) parent[at(t)] = root(t);
-  return parent;
+  DisjointSets parts(mesh.triangles.size());
+  for (const MeshSide& side : sides_of(mesh))
+    if (side.edge < 0 && !side.is_boundary()) parts.unite(side.left, side.right);
+  std::vector<int> part_of;
+  part_of.reserve(mesh.triangles.size());
+  for (int t = 0; t < mesh.num_triangles(); ++t) part_of.push_back(parts.find(t));
+  return part_of;
 }
 
 double area_of(const Mesh& mesh, int triangle) {

@@ -78,9 +78,8 @@ class Gap {
 
  private:
   bool is_apart(int chord, int piece) const {
-    const Segment& s = outline_.segments[at(chord)];
-    const Segment& o = outline_.segments[at(pieces_.domain.segments[at(piece)].label)];
-    return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
+    const int other = pieces_.domain.segments[at(piece)].label;
+    return !have_common_end(outline_.segments[at(chord)], outline_.segments[at(other)]);
   }
 
   const Domain& outline_;

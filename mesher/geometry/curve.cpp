@@ -182,8 +182,7 @@ double Curve::deviation(double from, double to) const {
   const Point a = at(from);
   const Point b = at(to);
   double largest = 0.0;
-  for (const Point& p : points_between(from, to, parts))
-    largest = std::max(largest, std::abs(cross(b - a, p - a)) / norm(b - a));
+  for (const Point& p : points_between(from, to, parts)) largest = std::max(largest, distance_to_line(p, a, b));
   return largest;
 }
 

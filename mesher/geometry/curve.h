@@ -75,6 +75,9 @@ class Curve {
   /// How far an edge between two parameters may be.
   double chord_error(double from, double to) const;
 
+  /// Is the arc between two parameters no farther than that from its chord?
+  bool is_near_chord(double from, double to) const { return deviation(from, to) <= chord_error(from, to); }
+
   /// How many edges per parameter the chord error needs near t: an arc that is s away from its chord takes
   /// sqrt(s / limit).
   double least_density(double t) const;

@@ -1,12 +1,13 @@
+#include "mesher/geometry/domain_of_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "mesher/cracks.h"
-#include "mesher/geometry/domain.h"
+#include "mesher/disjoint_sets.h"
 #include "mesher/geometry/hole_seeds.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/index.h"
@@ -168,29 +169,23 @@ class ChainJoiner {
 /// One seed in each part that the separating sides enclose and whose region is not 0: the centroid
 /// of its largest triangle.
 std::vector<RegionSeed> region_seeds(const Mesh& mesh, const std::vector<MeshSide>& sides) {
-  std::vector<int> parent(mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const auto root = [&parent, &at](int t) {
-    while (parent[at(t)] != t) t = parent[at(t)] = parent[at(parent[at(t)])];
-    return t;
-  };
+  DisjointSets parts(mesh.triangles.size());
   for (const MeshSide& side : sides) {
-    if (!separates(mesh, side)) parent[at(root(side.left))] = root(side.right);
+    if (!separates(mesh, side)) parts.unite(side.left, side.right);
   }
   std::vector<double> largest(mesh.triangles.size(), 0.0);
   std::vector<Point> centroid(mesh.triangles.size());
   for (int t = 0; t < mesh.num_triangles(); ++t) {
     const auto& [a, b, c] = mesh.triangles[at(t)];
     const double area = doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
-    const std::size_t part = at(root(t));
+    const std::size_t part = at(parts.find(t));
     if (area <= largest[part]) continue;
     largest[part] = area;
     centroid[part] = (1.0 / 3.0) * (mesh.points[at(a)] + mesh.points[at(b)] + mesh.points[at(c)]);
   }
   std::vector<RegionSeed> seeds;
   for (int t = 0; t < mesh.num_triangles(); ++t) {
-    if (parent[at(t)] == t && region_of(mesh, t) != 0) seeds.push_back({centroid[at(t)], region_of(mesh, t)});
+    if (parts.find(t) == t && region_of(mesh, t) != 0) seeds.push_back({centroid[at(t)], region_of(mesh, t)});
   }
   return seeds;
 }

@@ -199,8 +199,7 @@ void ChordSearch::find_thin(const Polygon& coarse, const Polygon& fine) {
     if (is_straight(c)) continue;
     const Segment& s = coarse.domain.segments[at(c)];
     const auto is_apart = [&](int piece) {
-      const Segment& o = coarse.domain.segments[at(fine.chords[at(piece)])];
-      return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
+      return !have_common_end(s, coarse.domain.segments[at(fine.chords[at(piece)])]);
     };
     const Curve& curve = domain_.curves[at(segment(c).curve)];
     const auto& [whole, t0, t1] = chords_[at(c)];

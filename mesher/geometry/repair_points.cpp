@@ -4,6 +4,7 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/closest_pair.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/rounding.h"
@@ -113,10 +114,9 @@ void require_extent(const DomainRepair& repair) {
 }
 
 void require_seeds_off_points(const DomainRepair& repair) {
-  std::vector<Point> points = repair.domain.points;
-  std::sort(points.begin(), points.end(), comes_before);
+  const PointFinder points(repair.domain.points);
   const auto check = [&points](const Point& seed, const char* kind, int index) {
-    if (!std::binary_search(points.begin(), points.end(), seed, comes_before)) return;
+    if (!points.holds(seed)) return;
     throw GeometryError(std::string(kind) + " seed " + text(index) + " lies at a point of the domain, " + text(seed) +
                             "; move it to the inside of what it marks",
                         {index});

@@ -8,6 +8,7 @@
 
 #include "mesher/io/hanging_vertices.h"
 #include "mesher/mesh_sides.h"
+#include "mesher/validate.h"
 
 namespace parmesan {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/io/airfoil_file.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/io/text.h"

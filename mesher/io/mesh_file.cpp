@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/io/boundary_edges.h"
 #include "mesher/io/eps.h"
 #include "mesher/io/medit.h"

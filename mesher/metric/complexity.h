@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <span>
 
 #include "mesher/mesh.h"
@@ -18,7 +19,8 @@ double integrate_complexity(const Mesh& mesh, const MetricField& field);
 /// The same of one metric per vertex of the mesh; each triangle has the mean of its corners' densities. Cost: O(n).
 double integrate_complexity(const Mesh& mesh, std::span<const Metric> metrics);
 
-/// Vertices of a unit mesh of that complexity, boundary effects aside.
-constexpr double expected_vertices(double complexity) { return 1.1547005383792515 * complexity; }
+/// Vertices of a unit mesh of that complexity, boundary effects aside; and the other way.
+constexpr double expected_vertices(double complexity) { return 2.0 * std::numbers::inv_sqrt3 * complexity; }
+constexpr double complexity_for_vertices(double vertices) { return 0.5 * std::numbers::sqrt3 * vertices; }
 
 }  // namespace parmesan

@@ -9,6 +9,7 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/box_tree.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/hilbert.h"
 #include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/outline.h"
@@ -135,10 +136,7 @@ double Sampler::nearest_isolated(const Point& p) const {
 
 double Sampler::feature_size_on(int segment, const Point& p) const {
   const Segment& s = domain_.segments[at(segment)];
-  const auto is_apart = [&](int other) {
-    const Segment& o = domain_.segments[at(other)];
-    return o.a != s.a && o.a != s.b && o.b != s.a && o.b != s.b;
-  };
+  const auto is_apart = [&](int other) { return !have_common_end(s, domain_.segments[at(other)]); };
   const double length = norm(domain_.points[at(s.b)] - domain_.points[at(s.a)]);
   return std::min({length, segments_.nearest(p, is_apart).distance, nearest_isolated(p)});
 }
@@ -227,7 +225,7 @@ BackgroundMesh graded(SizedPlaces places, double growth, double h_max) {
     const ConvertedMesh converted = to_mesh(delaunay(places.points).triangulation, {});
     std::vector<Metric> metrics;
     for (const VertexId v : converted.slots) metrics.push_back(Metric::isotropic(places.sizes[at(v)]));
-    metrics = limit_gradation(converted.mesh, metrics, growth).metrics;
+    metrics = limit_gradation(converted.mesh, metrics, growth);
     std::vector<double> sizes;
     sizes.reserve(metrics.size());
     for (const Metric& m : metrics) sizes.push_back(1.0 / std::sqrt(m.tensor().xx));

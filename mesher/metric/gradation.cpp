@@ -52,24 +52,22 @@ double growth_factor(const Metric& m, const Vector& d, double beta) {
   return 1.0 / (growth * growth);
 }
 
-Gradation limit_gradation(const Mesh& mesh, std::span<const Metric> metrics, double beta) {
+std::vector<Metric> limit_gradation(const Mesh& mesh, std::span<const Metric> metrics, double beta) {
   if (!(beta > 1.0)) throw InputError("the gradation must be greater than 1, not " + std::to_string(beta));
   if (metrics.size() != mesh.points.size()) throw InputError("gradation needs one metric per vertex");
   const VertexNeighbors neighbors = vertex_neighbors(mesh);
-  Gradation result{{metrics.begin(), metrics.end()}, 0, true};
-  std::vector<char> changed(metrics.size(), 0);
+  std::vector<Metric> graded(metrics.begin(), metrics.end());
   std::vector<std::size_t> active(metrics.size());
   std::iota(active.begin(), active.end(), std::size_t{0});
-  for (std::size_t visits = 0; !active.empty() && result.converged;) {
+  for (std::size_t visits = 0; !active.empty() && visits < most_visits * metrics.size();) {
     std::vector<std::size_t> next;
     for (const std::size_t p : active) {
       for (std::size_t k = neighbors.start[p]; k < neighbors.start[p + 1]; ++k) {
         const auto q = static_cast<std::size_t>(neighbors.vertex[k]);
-        const Metric& from = result.metrics[p];
+        const Metric& from = graded[p];
         const Metric spanned = from.scaled(growth_factor(from, mesh.points[q] - mesh.points[p], beta));
-        if (at_least(result.metrics[q], spanned)) continue;
-        result.metrics[q] = intersect(result.metrics[q], spanned);
-        changed[q] = 1;
+        if (at_least(graded[q], spanned)) continue;
+        graded[q] = intersect(graded[q], spanned);
         next.push_back(q);
       }
     }
@@ -77,10 +75,8 @@ Gradation limit_gradation(const Mesh& mesh, std::span<const Metric> metrics, dou
     std::ranges::sort(next);
     next.erase(std::unique(next.begin(), next.end()), next.end());
     active = std::move(next);
-    result.converged = visits < most_visits * metrics.size();
   }
-  for (const char c : changed) result.num_changed += c;
-  return result;
+  return graded;
 }
 
 }  // namespace parmesan

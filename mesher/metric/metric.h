@@ -30,6 +30,8 @@ class Metric {
   const SymmetricTensor& tensor() const { return tensor_; }
   SymmetricTensor log() const { return parmesan::log(tensor_); }
 
+  bool operator==(const Metric&) const = default;
+
   /// d^T M d.
   double squared_length(const Vector& d) const { return quadratic_form(tensor_, d); }
   double length(const Vector& d) const { return std::sqrt(squared_length(d)); }

@@ -44,10 +44,9 @@ inline double metric_angle(const Vector& a, const Vector& b, const Metric& m) {
   return std::atan2(m.density() * std::abs(cross(a, b)), dot(a, m.tensor() * b));
 }
 
-/// Area of a triangle in the mean of its vertex metrics (thesis 5.10). Negative when clockwise.
-inline double metric_area(const Point& a, const Point& b, const Point& c, const Metric& ma, const Metric& mb,
-                          const Metric& mc) {
-  return 0.5 * mean(ma, mb, mc).density() * doubled_area(a, b, c);
+/// Area of a triangle in one metric, as the mean of those of its vertices (thesis 5.10). Negative when clockwise.
+inline double metric_area(const Point& a, const Point& b, const Point& c, const Metric& m) {
+  return 0.5 * m.density() * doubled_area(a, b, c);
 }
 
 /// Area of the equilateral triangle of unit sides.

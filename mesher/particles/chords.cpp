@@ -1,6 +1,7 @@
 #include "mesher/particles/chords.h"
 
 #include "mesher/metric/metric_length.h"
+#include "mesher/particles/edge_measures.h"
 #include "mesher/particles/local_repair.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/star.h"
@@ -13,8 +14,7 @@ constexpr double longest_unit = 1.414;  // sqrt2, but for rounding
 
 double length(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
-  return metric_edge_length(mesh.point(mesh.dest(e)) - mesh.point(mesh.org(e)), particles.metric(mesh.org(e)),
-                            particles.metric(mesh.dest(e)));
+  return metric_edge_length(displacement(particles, e), particles.metric(mesh.org(e)), particles.metric(mesh.dest(e)));
 }
 
 bool is_long_chord(const ParticleSystem& particles, EdgeId e) {
@@ -22,8 +22,6 @@ bool is_long_chord(const ParticleSystem& particles, EdgeId e) {
   if (mesh.is_constrained(e) || particles.is_free(mesh.org(e)) || particles.is_free(mesh.dest(e))) return false;
   return length(particles, e) > longest_unit;
 }
-
-VertexId left_apex(const Triangulation& mesh, EdgeId e) { return mesh.dest(mesh.onext(e)); }
 
 // Moves a particle to the best place near by. Are its edges unit edges there, and its triangles good?
 bool settles(ParticleSystem& particles, VertexId v) {
@@ -43,7 +41,7 @@ bool settles(ParticleSystem& particles, VertexId v) {
 bool mend_by_flip(ParticleSystem& particles, EdgeId e) {
   Triangulation& mesh = particles.mesh();
   if (!can_flip(mesh, e)) return false;
-  for (const VertexId v : {left_apex(mesh, e), left_apex(mesh, sym(e))}) {
+  for (const VertexId v : {mesh.left_apex(e), mesh.right_apex(e)}) {
     if (!particles.is_free(v)) continue;
     const Point from = mesh.point(v);
     mesh.flip(e);

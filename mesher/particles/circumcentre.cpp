@@ -1,6 +1,6 @@
 #include "mesher/particles/circumcentre.h"
 
-#include "mesher/particles/triangle_area.h"
+#include "mesher/particles/edge_measures.h"
 #include "mesher/triangulation/locate.h"
 #include "mesher/triangulation/sight.h"
 
@@ -15,12 +15,6 @@ Point circumcentre(const Point& a, const Point& b, const Point& c, const Metric&
   const double rc = 0.5 * dot(mc, c - a);
   const double det = cross(mb, mc);
   return a + (1.0 / det) * Vector{rb * mc.y - rc * mb.y, rc * mb.x - rb * mc.x};
-}
-
-Metric mean_metric_left(const ParticleSystem& particles, EdgeId e) {
-  const Triangulation& mesh = particles.mesh();
-  return mean(particles.metric(mesh.org(e)), particles.metric(mesh.dest(e)),
-              particles.metric(mesh.dest(mesh.onext(e))));
 }
 
 // Would p in the triangle left of e make triangles of this quality? The one on e itself aside where p lies on e.
@@ -42,7 +36,7 @@ VertexId create_at_circumcentre(ParticleSystem& particles, EdgeId e, double min_
   const EdgeId side = left_area(particles, e) >= left_area(particles, sym(e)) ? e : sym(e);
   const VertexId a = mesh.org(side);
   const VertexId b = mesh.dest(side);
-  const VertexId c = mesh.dest(mesh.onext(side));
+  const VertexId c = mesh.left_apex(side);
   const Point p = circumcentre(mesh.point(a), mesh.point(b), mesh.point(c), mean_metric_left(particles, side));
   for (const VertexId corner : {a, b, c})  // one that ends a segment sees both sides of it
     if (!sees(mesh, corner, p)) return no_vertex;

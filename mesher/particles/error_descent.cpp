@@ -112,7 +112,7 @@ double ErrorDescent::squared_error() const {
   for (std::int32_t q = 0; q < mesh.size(); ++q) {
     if (!mesh.is_alive(q)) continue;
     for (const EdgeId e : {EdgeId{4 * q}, EdgeId{4 * q + 2}}) {
-      if (mesh.is_inside_left(e)) thrice += triangle_error(mesh.org(e), mesh.dest(e), mesh.dest(mesh.onext(e)));
+      if (mesh.is_inside_left(e)) thrice += triangle_error(mesh.org(e), mesh.dest(e), mesh.left_apex(e));
     }
   }
   return thrice / 3.0;
@@ -170,8 +170,8 @@ bool ErrorDescent::wants_flip(EdgeId e) const {
   if (mesh.is_constrained(e) || !can_flip(mesh, e)) return false;  // a free edge has triangles on both sides
   const VertexId a = mesh.org(e);
   const VertexId b = mesh.dest(e);
-  const VertexId c = mesh.dest(mesh.onext(e));
-  const VertexId d = mesh.dest(mesh.oprev(e));
+  const VertexId c = mesh.left_apex(e);
+  const VertexId d = mesh.right_apex(e);
   const double error_before = triangle_error(a, b, c) + triangle_error(b, a, d);
   const double error_after = triangle_error(d, c, a) + triangle_error(c, d, b);
   if (!(error_after < (1.0 - margin) * error_before)) return false;

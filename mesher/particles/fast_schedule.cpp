@@ -5,6 +5,7 @@
 
 #include "mesher/particles/boundary.h"
 #include "mesher/particles/chords.h"
+#include "mesher/particles/curve_chords.h"
 #include "mesher/particles/density.h"
 #include "mesher/particles/local_repair.h"
 #include "mesher/particles/metric_flips.h"

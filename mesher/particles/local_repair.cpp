@@ -117,7 +117,7 @@ bool repair_place(ParticleSystem& particles, VertexId v, Star& star, std::vector
   if (to == from) return false;
   particles.move(v, to);
   add_star(particles.mesh(), v, stack);
-  legalize(particles, stack, 100);
+  legalize(particles, stack, flips_after_change);
   return true;
 }
 
@@ -143,7 +143,7 @@ bool merge_if_flat(ParticleSystem& particles, VertexId v, Star& star, std::vecto
   const VertexId neighbour = mesh.dest(spoke);
   mesh.collapse(spoke);
   add_star(mesh, neighbour, stack);
-  legalize(particles, stack, 100);
+  legalize(particles, stack, flips_after_change);
   return true;
 }
 

@@ -30,8 +30,8 @@ bool fails_in_circle(const Point& a, const Point& b, const Point& c, const Point
 }
 
 bool can_flip(const Triangulation& mesh, EdgeId e) {
-  const Point& c = mesh.point(mesh.dest(mesh.onext(e)));
-  const Point& d = mesh.point(mesh.dest(mesh.oprev(e)));
+  const Point& c = mesh.point(mesh.left_apex(e));
+  const Point& d = mesh.point(mesh.right_apex(e));
   return orient2d(d, c, mesh.point(mesh.org(e))) > 0.0 && orient2d(c, d, mesh.point(mesh.dest(e))) > 0.0;
 }
 
@@ -40,8 +40,8 @@ bool wants_flip(const ParticleSystem& particles, EdgeId e) {
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
   const VertexId va = mesh.org(e);
   const VertexId vb = mesh.dest(e);
-  const VertexId vc = mesh.dest(mesh.onext(e));
-  const VertexId vd = mesh.dest(mesh.oprev(e));
+  const VertexId vc = mesh.left_apex(e);
+  const VertexId vd = mesh.right_apex(e);
   const Point& a = mesh.point(va);
   const Point& b = mesh.point(vb);
   const Point& c = mesh.point(vc);
@@ -56,14 +56,17 @@ namespace {
 bool contains_quadrilateral(const Territory& territory, const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
   const auto contains = [&](VertexId v) { return territory.contains(particles, v); };
-  return contains(mesh.org(e)) && contains(mesh.dest(e)) && contains(mesh.dest(mesh.onext(e))) &&
-         contains(mesh.dest(mesh.oprev(e)));
+  return contains(mesh.org(e)) && contains(mesh.dest(e)) && contains(mesh.left_apex(e)) && contains(mesh.right_apex(e));
 }
 
 }  // namespace
 
 void add_star(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack) {
   for_each_spoke(mesh, v, [&](EdgeId e) { stack.insert(stack.end(), {e, mesh.lnext(e)}); });
+}
+
+void add_link(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack) {
+  for_each_spoke(mesh, v, [&](EdgeId e) { stack.push_back(mesh.lnext(e)); });
 }
 
 long legalize(ParticleSystem& particles, std::vector<EdgeId>& stack, long cap, const Territory& territory) {

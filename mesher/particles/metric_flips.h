@@ -22,6 +22,12 @@ bool wants_flip(const ParticleSystem& particles, EdgeId e);
 /// sides opposite to it.
 void add_star(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack);
 
+/// Adds the sides opposite to v, for legalize where v came.
+void add_link(const Triangulation& mesh, VertexId v, std::vector<EdgeId>& stack);
+
+/// The cap for legalize after one change.
+inline constexpr long flips_after_change = 100;
+
 /// Flips the edges on the stack, and those that come to want it, until none does or the number
 /// of flips reaches the cap. Edges whose quadrilateral leaves the territory stay. Empties the stack.
 /// Returns the number of flips.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesher/geometry/isolated_points.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 
@@ -47,14 +48,11 @@ void ParticleSystem::bind_to_segments() {
 
 // Domain points that no segment ends at are recognised among the vertices by their coordinates.
 void ParticleSystem::fix_isolated_points() {
-  std::vector<Point> isolated;
-  for (const int p : isolated_points(*domain_)) isolated.push_back(domain_->points[static_cast<std::size_t>(p)]);
-  if (isolated.empty()) return;
-  std::sort(isolated.begin(), isolated.end(), comes_before);
-  for (VertexId v = 0; v < mesh_.num_slots(); ++v) {
-    if (mesh_.has_vertex(v) && std::binary_search(isolated.begin(), isolated.end(), mesh_.point(v), comes_before))
-      binding_[static_cast<std::size_t>(v)] = fixed_particle;
-  }
+  const std::vector<int> numbers = isolated_points(*domain_);
+  if (numbers.empty()) return;
+  const PointFinder isolated(domain_->points, numbers);
+  for (VertexId v = 0; v < mesh_.num_slots(); ++v)
+    if (mesh_.has_vertex(v) && isolated.holds(mesh_.point(v))) binding_[static_cast<std::size_t>(v)] = fixed_particle;
 }
 
 // Each particle, then its neighbours in the same range, as a walk from a neighbour is short.

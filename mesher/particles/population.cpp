@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,31 +10,29 @@
 #include "mesher/metric/metric_length.h"
 #include "mesher/parallel.h"
 #include "mesher/particles/circumcentre.h"
+#include "mesher/particles/collapse.h"
+#include "mesher/particles/edge_measures.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/sampled_sum.h"
 #include "mesher/particles/selection.h"
-#include "mesher/particles/triangle_area.h"
+#include "mesher/particles/thesis_rules.h"
 #include "mesher/triangulation/delaunay.h"
 
 namespace parmesan {
 namespace {
 
-constexpr double min_quality_after = 0.1;  // of the triangles that a collapse stretches
-
 double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
   const Triangulation& mesh = particles.mesh();
-  return squared_length_in_mean(mesh.point(mesh.dest(e)) - mesh.point(mesh.org(e)), particles.metric(mesh.org(e)),
+  return squared_length_in_mean(displacement(particles, e), particles.metric(mesh.org(e)),
                                 particles.metric(mesh.dest(e)));
 }
 
 bool is_too_long(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
-  constexpr double with_virtual_triangles = 3.0 / std::numbers::sqrt2 - std::numbers::sqrt3 / 2.0;
-  static const double without = std::sqrt(1.5);
-  const double max_area = rules.virtual_triangles ? with_virtual_triangles : without;
   const Triangulation& mesh = particles.mesh();
   if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
   if (squared_edge_length(particles, e) <= rules.long_edge * rules.long_edge) return false;
-  return left_area(particles, e) + left_area(particles, sym(e)) > (1.0 + rules.area_slack) * max_area;
+  const double area = left_area(particles, e) + left_area(particles, sym(e));
+  return gain_of_creation(area / (1.0 + rules.area_slack), rules.virtual_triangles) > 0.0;
 }
 
 // The four triangles that a particle in the middle of e would make.
@@ -45,9 +42,8 @@ double quality_of_halves(const ParticleSystem& particles, EdgeId e, const Point&
   for (const EdgeId side : {e, sym(e)}) {
     const Point& a = mesh.point(mesh.org(side));
     const Point& b = mesh.point(mesh.dest(side));
-    const Point& c = mesh.point(mesh.dest(mesh.onext(side)));
-    const Metric m = mean(particles.metric(mesh.org(side)), particles.metric(mesh.dest(side)),
-                          particles.metric(mesh.dest(mesh.onext(side))));
+    const Point& c = mesh.point(mesh.left_apex(side));
+    const Metric m = mean_metric_left(particles, side);
     smallest = std::min({smallest, mean_ratio(a, p, c, m), mean_ratio(p, b, c, m)});
   }
   return smallest;
@@ -82,18 +78,6 @@ std::vector<LongEdge> long_edges(const ParticleSystem& particles, const Populati
   return found;
 }
 
-// May v merge into the neighbour at the end of e? Where all is worse than the limit, a collapse that
-// makes nothing worse is the way out.
-bool can_collapse(const ParticleSystem& particles, const Star& star, VertexId v, EdgeId e) {
-  const double after = star.quality_after_collapse(e);
-  if (after >= min_quality_after) return true;
-  return after > 0.0 && after >= star.min_quality(particles.mesh().point(v), particles.metric(v));
-}
-
-}  // namespace
-
-namespace {
-
 VertexId create_particle(ParticleSystem& particles, EdgeId e, CreationPlace place) {
   constexpr double min_quality = 0.01;
   const Triangulation& mesh = particles.mesh();
@@ -120,49 +104,21 @@ int create_particles(ParticleSystem& particles, const PopulationRules& rules, st
       throw LimitError("the metric asks for more than " + std::to_string(max_vertices) + " vertices");
     const VertexId v = create_particle(particles, e, rules.creation);
     if (v == no_vertex) continue;
-    for_each_spoke(mesh, v, [&](EdgeId spoke) { stack.push_back(mesh.lnext(spoke)); });
-    legalize(particles, stack, 100);
+    add_link(mesh, v, stack);
+    legalize(particles, stack, flips_after_change);
     ++created;
   }
   return created;
 }
 
-bool keeps_constraints_apart(const Triangulation& mesh, EdgeId e) {
-  for (const EdgeId side : {e, sym(e)}) {
-    const EdgeId second = mesh.lnext(side);
-    const EdgeId third = mesh.lnext(second);
-    if (mesh.lnext(third) == side && mesh.is_constrained(second) && mesh.is_constrained(third)) return false;
-  }
-  return true;
-}
-
-bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
-  Triangulation& mesh = particles.mesh();
-  if (!keeps_constraints_apart(mesh, e)) return false;
-  Star star;
-  for (const EdgeId side : {e, sym(e)}) {
-    const VertexId v = mesh.org(side);
-    const Binding binding = particles.binding(v);
-    const bool may_go = binding == free_particle || (binding >= 0 && mesh.segment(side) == binding);
-    if (!may_go) continue;
-    star.gather(particles, v);
-    if (!can_collapse(particles, star, v, side)) continue;
-    mesh.collapse(side);
-    return true;
-  }
-  return false;
-}
-
 namespace {
 
 bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId v, const PopulationRules& rules) {
-  const double min_area = 1.0 - rules.area_slack;
   const double short_edge = rules.short_edge;
   const Point& p = particles.mesh().point(v);
   const Metric& m = particles.metric(v);
   const auto n = static_cast<double>(star.size());
-  const double area = star.metric_area(p, m);
-  if (area * area < min_area * min_area * 3.0 * n * (n - 2.0) / 16.0) return true;
+  if (is_superfluous_inside(star.metric_area(p, m) / (1.0 - rules.area_slack), n)) return true;
   for (std::size_t i = 0; i < star.size(); ++i)
     if (squared_length_in_mean(star.spoke(i).point - p, m, star.spoke(i).metric) < short_edge * short_edge) return true;
   return false;
@@ -200,7 +156,7 @@ void annihilate_particle(ParticleSystem& particles, const Star& star, VertexId v
 
 bool is_limited(const PopulationRules& rules) { return rules.most < std::numeric_limits<int>::max(); }
 
-// Of a star over that of the rule.
+// Of a star over that of the rule, but for a factor.
 double relative_area(const ParticleSystem& particles, const Star& star, VertexId v) {
   const auto n = static_cast<double>(star.size());
   return star.metric_area(particles.mesh().point(v), particles.metric(v)) / std::sqrt(n * (n - 2.0));
@@ -244,7 +200,7 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
     if (is_limited(rules) && relative_area(particles, star, v) > found.area) continue;
     annihilate_particle(particles, star, v, rules.annihilation, changed);
     if (changed.empty()) continue;
-    legalize(particles, changed, 100);
+    legalize(particles, changed, flips_after_change);
     ++annihilated;
   }
   return annihilated;

@@ -39,12 +39,4 @@ int annihilate_particles(ParticleSystem& particles, const PopulationRules& rules
 /// 20 000 particles or edges.
 double population_demand(const ParticleSystem& particles, const PopulationRules& rules);
 
-/// Would collapsing e keep the constrained edges apart? Two of them would become one if they are the other sides of a
-/// triangle beside e, inside the domain or a hole. That happens on curves only. Cost: O(1).
-bool keeps_constraints_apart(const Triangulation& mesh, EdgeId e);
-
-/// Collapses one end of e into the other if that leaves valid triangles; a fixed particle stays, a
-/// bound one goes only along its own segment. Returns whether it did.
-bool collapse_if_valid(ParticleSystem& particles, EdgeId e);
-
 }  // namespace parmesan

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "mesher/edge_finder.h"
+#include "mesher/geometry/point_finder.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 
@@ -29,29 +29,6 @@ Incidence incidence(const Mesh& mesh) {
     for (const int v : mesh.edges[at(e)]) result.edges[at(fill[at(v)]++)] = e;
   return result;
 }
-
-// Vertices on edges, to be found by their coordinates.
-class VertexFinder {
- public:
-  explicit VertexFinder(const Mesh& mesh) : mesh_(mesh) {
-    for (const auto& e : mesh.edges) vertices_.insert(vertices_.end(), e.begin(), e.end());
-    std::sort(vertices_.begin(), vertices_.end(), [this](int a, int b) { return key(a) < key(b); });
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-  }
-
-  int find(const Point& p) const {
-    const auto it = std::lower_bound(vertices_.begin(), vertices_.end(), p, [this](int v, const Point& q) {
-      return std::tuple(mesh_.points[at(v)].x, mesh_.points[at(v)].y) < std::tuple(q.x, q.y);
-    });
-    return it != vertices_.end() && mesh_.points[at(*it)] == p ? *it : -1;
-  }
-
- private:
-  std::tuple<double, double, int> key(int v) const { return {mesh_.points[at(v)].x, mesh_.points[at(v)].y, v}; }
-
-  const Mesh& mesh_;
-  std::vector<int> vertices_;
-};
 
 // The edge at v that goes on along the segment from p to q, -1 if there is none.
 int next_along(const Mesh& mesh, const Incidence& at_vertex, int v, const Point& p, const Point& q) {
@@ -89,7 +66,7 @@ int next_along_curve(const Mesh& mesh, const Incidence& at_vertex, int v, const 
 /// The segment that each edge is a part of.
 std::optional<std::vector<int>> match_edges_to_segments(const Mesh& mesh, const Domain& domain, const Mesh& sites) {
   const Incidence at_vertex = incidence(mesh);
-  const VertexFinder finder(mesh);
+  const PointFinder finder(mesh.points, ends_of_edges(mesh));
   std::vector<char> is_inside(domain.segments.size(), 0);
   for (const int s : sites.labels) is_inside[at(s)] = 1;
   std::vector<int> segment_of(mesh.edges.size(), -1);
@@ -148,13 +125,13 @@ class RegionsBeside {
 
 bool has_isolated_points(const Mesh& mesh, const Mesh& sites) {
   std::vector<char> is_isolated(sites.points.size(), 1);
-  for (const auto& [a, b] : sites.edges) is_isolated[at(a)] = is_isolated[at(b)] = 0;
-  std::vector<Point> isolated;
-  for (std::size_t v = 0; v < is_isolated.size(); ++v)
-    if (is_isolated[v] != 0) isolated.push_back(sites.points[v]);
-  std::ranges::sort(isolated, comes_before);
-  const auto is_one = [&](const Point& p) { return std::ranges::binary_search(isolated, p, comes_before); };
-  return isolated.empty() || std::ranges::count_if(mesh.points, is_one) == std::ssize(isolated);
+  for (const int v : ends_of_edges(sites)) is_isolated[at(v)] = 0;
+  std::vector<int> numbers;
+  for (int v = 0; v < sites.num_vertices(); ++v)
+    if (is_isolated[at(v)] != 0) numbers.push_back(v);
+  const PointFinder isolated(sites.points, numbers);
+  const auto is_one = [&](const Point& p) { return isolated.holds(p); };
+  return numbers.empty() || std::ranges::count_if(mesh.points, is_one) == std::ssize(numbers);
 }
 
 /// Gives a mesh whose edges are labelled with segments the domain's regions; false where that cannot be.

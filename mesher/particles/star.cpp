@@ -105,7 +105,7 @@ double Star::metric_area(const Point& p, const Metric& m) const {
   for (std::size_t i = 0; i < spokes_.size(); ++i) {
     if (!spokes_[i].has_triangle) continue;
     const Spoke& b = next(i);
-    area += parmesan::metric_area(p, spokes_[i].point, b.point, m, spokes_[i].metric, b.metric);
+    area += parmesan::metric_area(p, spokes_[i].point, b.point, mean(m, spokes_[i].metric, b.metric));
   }
   return area;
 }

@@ -7,12 +7,11 @@
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/metric/metric_length.h"
-#include "mesher/particles/boundary.h"
 #include "mesher/particles/circumcentre.h"
+#include "mesher/particles/collapse.h"
+#include "mesher/particles/curve_chords.h"
 #include "mesher/particles/metric_flips.h"
-#include "mesher/particles/population.h"
 #include "mesher/particles/star.h"
-#include "mesher/particles/thesis_rules.h"
 #include "mesher/triangulation/delaunay.h"
 #include "mesher/triangulation/sight.h"
 #include "mesher/triangulation/star.h"
@@ -36,7 +35,7 @@ bool is_star_valid(const Triangulation& t, VertexId v, const Point& p) {
   bool valid = true;
   for_each_spoke(t, v, [&](EdgeId e) {
     if (!valid || !t.is_inside_left(e)) return;
-    valid = orient2d(t.point(t.dest(e)), t.point(t.dest(t.onext(e))), p) > 0.0;
+    valid = orient2d(t.point(t.dest(e)), t.point(t.left_apex(e)), p) > 0.0;
   });
   return valid;
 }

@@ -1,11 +1,10 @@
 #include "mesher/particles/thesis_rules.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "mesher/metric/metric_length.h"
+#include "mesher/particles/edge_measures.h"
 #include "mesher/particles/neighbourhood.h"
-#include "mesher/particles/triangle_area.h"
 
 namespace parmesan {
 
@@ -18,16 +17,11 @@ double gain_of_creation(double area, bool virtual_triangles) {
 
 bool is_superfluous_on_segment(double lengths) { return lengths < std::numbers::sqrt2; }
 
-bool is_superfluous_inside(double area, int num_triangles) {
-  const double n = num_triangles;
-  return area < std::sqrt(3.0 * n * (n - 2.0)) / 4.0;
-}
-
 namespace {
 
 double length_of(const ParticleSystem& particles, EdgeId e, EdgeDistance distance) {
   const Triangulation& mesh = particles.mesh();
-  return edge_distance(distance, mesh.point(mesh.dest(e)) - mesh.point(mesh.org(e)), particles.metric(mesh.org(e)),
+  return edge_distance(distance, displacement(particles, e), particles.metric(mesh.org(e)),
                        particles.metric(mesh.dest(e)));
 }
 

@@ -21,7 +21,9 @@ double gain_of_creation(double area, bool virtual_triangles);
 bool is_superfluous_on_segment(double lengths);
 
 /// Should the particle with so many triangles of this area in sum go (3.4.2): A < sqrt(3 n (n - 2)) / 4?
-bool is_superfluous_inside(double area, int num_triangles);
+constexpr bool is_superfluous_inside(double area, double num_triangles) {
+  return area * area < 3.0 * num_triangles * (num_triangles - 2.0) / 16.0;
+}
 
 /// Should v be annihilated? By the rule for its segment, or by that for its star; a fixed one never.
 bool is_to_be_annihilated(const ParticleSystem& particles, VertexId v, EdgeDistance distance);

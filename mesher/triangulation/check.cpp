@@ -65,7 +65,7 @@ void check_sides(const Triangulation& t, EdgeId e, const CheckOptions& options, 
                        e.index);
   if (!options.is_delaunay || t.is_constrained(e) || !t.is_inside_left(e) || !t.is_inside_right(e)) return;
   const double value =
-      incircle(t.point(t.org(e)), t.point(t.dest(e)), t.point(t.dest(t.onext(e))), t.point(t.dest(t.oprev(e))));
+      incircle(t.point(t.org(e)), t.point(t.dest(e)), t.point(t.left_apex(e)), t.point(t.right_apex(e)));
   violations.require(value <= 0.0, "not Delaunay at edge", e.index);
 }
 

@@ -38,7 +38,7 @@ Departure depart(const Triangulation& t, VertexId a, VertexId b, int segment) {
     const Point& p = t.point(t.dest(e));
     const double side = orient2d(from, p, to);
     if (side == 0.0 && same_direction(from, to, p)) return {e, true};
-    if (side > 0.0 && t.is_inside_left(e) && orient2d(from, t.point(t.dest(t.onext(e))), to) < 0.0) return {e, false};
+    if (side > 0.0 && t.is_inside_left(e) && orient2d(from, t.point(t.left_apex(e)), to) < 0.0) return {e, false};
     e = t.onext(e);
   } while (e != start);
   throw_outside(segment);

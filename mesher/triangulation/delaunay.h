@@ -24,8 +24,7 @@ inline bool has_diagonal(const Triangulation& t, EdgeId e) {
 /// only where both triangles of the flipped edge are counter-clockwise.
 struct EuclideanInCircle {
   bool operator()(const Triangulation& t, EdgeId e) const {
-    return incircle(t.point(t.org(e)), t.point(t.dest(e)), t.point(t.dest(t.onext(e))), t.point(t.dest(t.oprev(e)))) >
-           0.0;
+    return incircle(t.point(t.org(e)), t.point(t.dest(e)), t.point(t.left_apex(e)), t.point(t.right_apex(e))) > 0.0;
   }
 };
 

@@ -58,7 +58,7 @@ std::vector<FacePoint> Faces::points_inside() const {
   for_each_side(t, [&](EdgeId e) {
     const Point& a = t.point(t.org(e));
     const Point& b = t.point(t.dest(e));
-    const Point& c = t.point(t.dest(t.onext(e)));
+    const Point& c = t.point(t.left_apex(e));
     FacePoint& best = points[static_cast<std::size_t>(t.left(e))];
     const double area = doubled_area(a, b, c);
     if (area > best.doubled_area) best = {{(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0}, area};

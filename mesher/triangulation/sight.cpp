@@ -38,7 +38,7 @@ bool sees(const Triangulation& t, VertexId v, const Point& p) {
   while (side_of(t, side, p) < 0.0) {
     if (t.is_constrained(side)) return false;
     const EdgeId entered = sym(side);
-    const Point& apex = t.point(t.dest(t.onext(entered)));
+    const Point& apex = t.point(t.left_apex(entered));
     const EdgeId right = t.lnext(entered);
     const EdgeId left = t.lprev(entered);
     if (side_of(t, right, p) >= 0.0 && side_of(t, left, p) >= 0.0) return is_free_place(t, entered, p);

@@ -92,7 +92,7 @@ bool stays_convex(const Triangulation& t, EdgeId s, const Point& p) {
 VertexId obstacle_to_split(const Triangulation& t, EdgeId e, const Point& p) {
   for (const EdgeId side : {e, sym(e)}) {
     if (!t.is_inside_left(side)) continue;
-    const VertexId apex = t.dest(t.onext(side));
+    const VertexId apex = t.left_apex(side);
     if (orient2d(t.point(t.org(side)), p, t.point(apex)) <= 0.0) return apex;
     if (orient2d(p, t.point(t.dest(side)), t.point(apex)) <= 0.0) return apex;
   }

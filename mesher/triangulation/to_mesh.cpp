@@ -87,7 +87,7 @@ void Fans::look_at(int v, EdgeId spoke) {
   if (t_.is_constrained(spoke))
     constraints_.push_back({second, labels_[at(t_.segment(spoke))], t_.is_inside_left(spoke)});
   if (!t_.is_inside_left(spoke)) return;
-  const int third = numbering_.new_id[at(t_.dest(t_.onext(spoke)))];
+  const int third = numbering_.new_id[at(t_.left_apex(spoke))];
   if (third > v) corners_.push_back({second, third, t_.left(spoke)});
 }
 

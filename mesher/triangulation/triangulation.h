@@ -40,6 +40,10 @@ class Triangulation : public QuadEdge {
   bool is_constrained(EdgeId e) const { return segment(e) >= 0; }
   void set_segment(EdgeId e, std::int32_t s) { segment_[static_cast<std::size_t>(undirected(e))] = s; }
 
+  /// The third corner of the triangle left of e, and of that right of it.
+  VertexId left_apex(EdgeId e) const { return dest(onext(e)); }
+  VertexId right_apex(EdgeId e) const { return dest(oprev(e)); }
+
   bool is_inside_left(EdgeId e) const { return left(e) != outside_face; }
   bool is_inside_right(EdgeId e) const { return right(e) != outside_face; }
   bool is_boundary(EdgeId e) const { return is_inside_left(e) != is_inside_right(e); }

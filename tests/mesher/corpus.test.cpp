@@ -5,6 +5,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/triangulation/check.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/triangulate.h"

@@ -5,6 +5,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/validate.h"
 
 using parmesan::delaunay_mesh;
 using parmesan::DelaunayMesh;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "mesher/generate.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/triangulation/check.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/triangulate.h"

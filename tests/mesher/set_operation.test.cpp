@@ -11,6 +11,7 @@
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/operands.h"
 #include "tests/oracle/mesh_checker.h"

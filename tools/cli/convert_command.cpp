@@ -6,6 +6,7 @@
 #include "adapt/io/any_mesh.h"
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/output_file.h"

@@ -9,6 +9,7 @@
 #include "adapt/nearest_name.h"
 #include "mesher/errors.h"
 #include "mesher/generate_around.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/io/text.h"
 #include "tools/cli/common_options.h"
 #include "tools/cli/exit_code.h"

@@ -126,9 +126,9 @@ Item oscillation(const Setting& setting) {
   thesis.max_picks = setting.quick ? 80.0 : 300.0;
   const Domain square = rectangle(1, 1);
   const SampledMetric abrupt = jump(100, 0.004, 0.1);
-  const Gradation graded = limit_gradation(abrupt.mesh, abrupt.metrics, 1.5);
+  const std::vector<Metric> graded = limit_gradation(abrupt.mesh, abrupt.metrics, 1.5);
   const Run oscillating = run(square, BackgroundMesh(abrupt.mesh, abrupt.metrics), as_written(thesis));
-  const Run cured = run(square, BackgroundMesh(abrupt.mesh, graded.metrics), as_written(thesis));
+  const Run cured = run(square, BackgroundMesh(abrupt.mesh, graded), as_written(thesis));
   const Run fast = run(square, BackgroundMesh(abrupt.mesh, abrupt.metrics), {});
   draw(setting, "oscillation.svg", oscillating.mesh);
   draw(setting, "oscillation_cured.svg", cured.mesh);

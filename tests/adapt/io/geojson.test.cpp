@@ -5,6 +5,7 @@
 
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
+#include "mesher/validate.h"
 
 using parmesan::delaunay_mesh;
 using parmesan::Domain;

@@ -7,6 +7,7 @@
 
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/domain.h"
 #include "tests/oracle/domain_cover.h"
 #include "tests/oracle/mesh_checker.h"

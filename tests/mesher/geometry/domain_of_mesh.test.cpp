@@ -1,10 +1,12 @@
+#include "mesher/geometry/domain_of_mesh.h"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 #include <vector>
 
-#include "mesher/geometry/domain.h"
+#include "mesher/geometry/clean.h"
 #include "tests/oracle/domain_cover.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/meshes.h"

@@ -5,6 +5,7 @@
 
 #include "mesher/delaunay_mesh.h"
 #include "mesher/io/geometry_file.h"
+#include "mesher/validate.h"
 #include "tests/mesher/io/error_line.h"
 #include "tests/support/shared.h"
 

@@ -9,6 +9,7 @@
 
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
+#include "mesher/validate.h"
 #include "tests/mesher/io/sample_mesh.h"
 
 using parmesan::cover_boundary;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesher/errors.h"
+#include "mesher/validate.h"
 #include "tests/mesher/io/canonical_mesh.h"
 #include "tests/mesher/io/error_line.h"
 #include "tests/mesher/io/sample_mesh.h"

@@ -41,18 +41,17 @@ TEST_CASE("limit_gradation bounds the growth of every size along every edge", "[
   const Mesh mesh = support::random_square(12, 0.2, 3);
   const double beta = GENERATE(1.2, 1.8, 4.0);
   const std::vector<Metric> asked = random_metrics(mesh.num_vertices(), 7);
-  const Gradation graded = limit_gradation(mesh, asked, beta);
-  REQUIRE(graded.converged);
-  CHECK(graded.num_changed > 0);
+  const std::vector<Metric> graded = limit_gradation(mesh, asked, beta);
+  CHECK(graded != asked);
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto p = static_cast<std::size_t>(t[k]);
       for (const std::size_t step : {1u, 2u}) {
         const auto q = static_cast<std::size_t>(t[(k + step) % 3]);
         // Sizes may grow by 1 + l ln(beta), l the length of pq as p sees it; squared for metrics.
-        const double length = graded.metrics[p].length(mesh.points[q] - mesh.points[p]);
+        const double length = graded[p].length(mesh.points[q] - mesh.points[p]);
         const double growth = 1.0 + length * std::log(beta);
-        CHECK(smallest_ratio(graded.metrics[q], graded.metrics[p]) * growth * growth >= 1.0 - 2e-6);
+        CHECK(smallest_ratio(graded[q], graded[p]) * growth * growth >= 1.0 - 2e-6);
       }
     }
   }
@@ -61,17 +60,17 @@ TEST_CASE("limit_gradation bounds the growth of every size along every edge", "[
 TEST_CASE("limit_gradation only refines", "[mesher][metric]") {
   const Mesh mesh = support::rectangle_mesh(9, 9);
   const std::vector<Metric> asked = random_metrics(mesh.num_vertices(), 1);
-  const Gradation graded = limit_gradation(mesh, asked, 1.5);
-  for (std::size_t v = 0; v < asked.size(); ++v) CHECK(smallest_ratio(graded.metrics[v], asked[v]) >= 1.0 - 1e-9);
+  const std::vector<Metric> graded = limit_gradation(mesh, asked, 1.5);
+  for (std::size_t v = 0; v < asked.size(); ++v) CHECK(smallest_ratio(graded[v], asked[v]) >= 1.0 - 1e-9);
 }
 
 TEST_CASE("limit_gradation leaves a metric alone that grows slowly enough", "[mesher][metric]") {
   const Mesh mesh = support::rectangle_mesh(20, 20);
   std::vector<Metric> asked;
   for (const Point& p : mesh.points) asked.push_back(Metric::isotropic(0.1 * (1.0 + 0.5 * p.x)));
-  const Gradation graded = limit_gradation(mesh, asked, 2.0);  // grows by 0.05 per 0.1, ln 2 = 0.69 is allowed
-  CHECK(graded.num_changed == 0);
-  CHECK(graded.converged);
+  const std::vector<Metric> graded =
+      limit_gradation(mesh, asked, 2.0);  // grows by 0.05 per 0.1, ln 2 = 0.69 is allowed
+  CHECK(graded == asked);
 }
 
 TEST_CASE("limit_gradation lets the size grow linearly away from a fine point", "[mesher][metric]") {
@@ -79,9 +78,9 @@ TEST_CASE("limit_gradation lets the size grow linearly away from a fine point", 
   const Mesh mesh = support::rectangle_mesh(50, 1, {0, 0}, {1, 0.02});
   std::vector<Metric> asked(mesh.points.size(), Metric::isotropic(10.0));
   asked[0] = Metric::isotropic(0.01);
-  const Gradation graded = limit_gradation(mesh, asked, std::exp(0.5));
+  const std::vector<Metric> graded = limit_gradation(mesh, asked, std::exp(0.5));
   for (const int i : {1, 10, 50}) {
-    const double size = 1.0 / graded.metrics[static_cast<std::size_t>(i)].length({1.0, 0.0});
+    const double size = 1.0 / graded[static_cast<std::size_t>(i)].length({1.0, 0.0});
     CHECK(size == Approx(0.01 + 0.5 * i / 50.0).epsilon(1e-4));
   }
 }
@@ -101,12 +100,11 @@ TEST_CASE("limit_gradation goes on over any number of rings", "[mesher][metric]"
   for (std::size_t v = 0; v < asked.size(); ++v)
     if (mesh.points[v].x == 1.0) asked[v] = Metric::isotropic(1e-3);
   const double rate = 1e-2;
-  const Gradation graded = limit_gradation(mesh, asked, std::exp(rate));
-  CHECK(graded.converged);
+  const std::vector<Metric> graded = limit_gradation(mesh, asked, std::exp(rate));
   // dh/dx = rate, by edges of 1/1000 at first.
   const std::size_t first = 0;
   REQUIRE(mesh.points[first].x == 0.0);
-  CHECK(1.0 / std::sqrt(graded.metrics[first].tensor().xx) == Approx(1e-3 + rate).epsilon(0.01));
+  CHECK(1.0 / std::sqrt(graded[first].tensor().xx) == Approx(1e-3 + rate).epsilon(0.01));
 }
 
 TEST_CASE("limit_gradation refuses what it cannot use", "[mesher][metric][errors]") {

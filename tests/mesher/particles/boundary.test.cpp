@@ -7,6 +7,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/geometry/clean.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/triangulation/check.h"

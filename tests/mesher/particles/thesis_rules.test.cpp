@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/metric/metric_length.h"
 #include "mesher/triangulation/triangulate.h"
 #include "tests/support/domains.h"
 
@@ -27,10 +28,13 @@ TEST_CASE("particles are created where two triangles have too much area", "[mesh
 TEST_CASE("particles go where the rules say so", "[mesher][particles][thesis]") {
   CHECK(is_superfluous_on_segment(1.41));
   CHECK_FALSE(is_superfluous_on_segment(1.42));
+  // Without it its n triangles are n - 2: it goes if these come nearer to the area that they should have.
   for (const int n : {4, 5, 6, 7}) {
-    const double limit = std::sqrt(3.0 * n * (n - 2)) / 4.0;
-    CHECK(is_superfluous_inside(0.999 * limit, n));
-    CHECK_FALSE(is_superfluous_inside(1.001 * limit, n));
+    for (double area = 0.1; area < 4.0; area *= 1.01) {
+      const double error_with = density_error(area, n * unit_triangle_area);
+      const double error_without = density_error(area, (n - 2) * unit_triangle_area);
+      CHECK(is_superfluous_inside(area, n) == (error_without < error_with));
+    }
   }
 }
 

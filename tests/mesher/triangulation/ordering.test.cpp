@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "mesher/triangulation/refine.h"
+#include "mesher/validate.h"
 #include "tests/support/meshes.h"
 
 using namespace parmesan;

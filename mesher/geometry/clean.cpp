@@ -1,4 +1,4 @@
-#include "mesher/geometry/domain.h"
+#include "mesher/geometry/clean.h"
 
 #include <utility>
 

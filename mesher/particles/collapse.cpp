@@ -1,0 +1,38 @@
+#include "mesher/particles/collapse.h"
+
+namespace parmesan {
+
+bool can_collapse(const ParticleSystem& particles, const Star& star, VertexId v, EdgeId e) {
+  constexpr double min_quality_after = 0.1;  // of the triangles that it stretches
+  const double after = star.quality_after_collapse(e);
+  if (after >= min_quality_after) return true;
+  return after > 0.0 && after >= star.min_quality(particles.mesh().point(v), particles.metric(v));
+}
+
+bool keeps_constraints_apart(const Triangulation& mesh, EdgeId e) {
+  for (const EdgeId side : {e, sym(e)}) {
+    const EdgeId second = mesh.lnext(side);
+    const EdgeId third = mesh.lnext(second);
+    if (mesh.lnext(third) == side && mesh.is_constrained(second) && mesh.is_constrained(third)) return false;
+  }
+  return true;
+}
+
+bool collapse_if_valid(ParticleSystem& particles, EdgeId e) {
+  Triangulation& mesh = particles.mesh();
+  if (!keeps_constraints_apart(mesh, e)) return false;
+  Star star;
+  for (const EdgeId side : {e, sym(e)}) {
+    const VertexId v = mesh.org(side);
+    const Binding binding = particles.binding(v);
+    const bool may_go = binding == free_particle || (binding >= 0 && mesh.segment(side) == binding);
+    if (!may_go) continue;
+    star.gather(particles, v);
+    if (!can_collapse(particles, star, v, side)) continue;
+    mesh.collapse(side);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace parmesan
