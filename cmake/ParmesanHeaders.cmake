@@ -1,18 +1,10 @@
-# The target `headers` compiles every header alone: each must include what it uses. Those of the mesher, which has no
-# precompiled header, are compiled so with their own sources where these include them first, if sources are compiled alone.
+# The target `headers` compiles every header alone: each must include what it uses.
 parmesan_sources(headers mesher/*.h fem/*.h adapt/*.h tools/*.h tests/*.h)
 set(header_sources)
 foreach(header IN LISTS headers)
   file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR} ${header})
-  string(REGEX REPLACE "\\.h$" ".cpp" own_source ${header})
-  set(first_include)
-  if(NOT CMAKE_UNITY_BUILD AND name MATCHES "^mesher/" AND EXISTS ${own_source})
-    file(STRINGS ${own_source} first_include REGEX "^#include" LIMIT_COUNT 1)
-  endif()
-  if(NOT first_include STREQUAL "#include \"${name}\"")
-    file(CONFIGURE OUTPUT headers/${name}.cpp CONTENT "#include \"${name}\"\n")
-    list(APPEND header_sources ${PROJECT_BINARY_DIR}/headers/${name}.cpp)
-  endif()
+  file(CONFIGURE OUTPUT headers/${name}.cpp CONTENT "#include \"${name}\"\n")
+  list(APPEND header_sources ${PROJECT_BINARY_DIR}/headers/${name}.cpp)
 endforeach()
 add_library(headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
 set_target_properties(headers PROPERTIES UNITY_BUILD OFF)
