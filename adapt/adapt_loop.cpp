@@ -184,6 +184,9 @@ class Loop {
          warnings_of_last(summary.iterations.back(), aimed, state_.limits_bind, summary.stop_reason))
       summary.warnings.push_back(std::move(warning));
     if (!case_.interpolation) {
+      const IterationRow& last = summary.iterations.back();
+      if (std::optional<std::string> hint = hint_of_correction(case_.targets, targeted_error(case_, last), last))
+        summary.warnings.push_back(*std::move(hint));
       if (std::optional<std::string> jumps = warn_of_jumps(case_.problem, state_.last.mesh))
         summary.warnings.push_back(std::move(*jumps));
     }

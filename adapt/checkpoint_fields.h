@@ -90,7 +90,7 @@ void fields(Archive& archive, ErrorNorms& e) {
 
 template <class Archive>
 void fields(Archive& archive, EstimatedError& e) {
-  archive(e.l2, e.h1, e.linf);
+  archive(e.l2, e.h1, e.linf, e.interpolation_l2);
 }
 
 template <class Archive>

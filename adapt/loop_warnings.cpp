@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "adapt/number_text.h"
@@ -179,6 +180,21 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   add(of_correction(last));
   add(of_capturing(last));
   return warnings;
+}
+
+std::optional<std::string> hint_of_correction(const Targets& targets, const ErrorNorms& error,
+                                              const IterationRow& last) {
+  constexpr double much = 2.0;
+  const bool may_correct = last.solve_report && last.solve_report->unknowns > 0 && !last.goal &&
+                           last.solve_report->correction_steps == 0 && last.solve_report->capturing_steps == 0;
+  if (!may_correct || !(targets.l2_error || targets.linf_error)) return std::nullopt;
+  const double interpolation = last.interpolation_error ? last.interpolation_error->l2
+                               : last.estimated_error   ? last.estimated_error->interpolation_l2
+                                                        : std::numeric_limits<double>::quiet_NaN();
+  if (!(error.l2 > much * interpolation)) return std::nullopt;
+  return "the L2 error is " + short_number(error.l2 / interpolation, 3) +
+         " times what exact values at the vertices would leave: \"defect_correction\": true in \"problem\" brings the "
+         "solution near to that, and smaller meshes to the target";
 }
 
 }  // namespace parmesan

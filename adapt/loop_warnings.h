@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adapt/summary.h"
+#include "adapt/targets.h"
 
 namespace parmesan {
 
@@ -16,5 +17,10 @@ namespace parmesan {
 /// loop asked for keeps the size limits. reason: why the loop ended.
 std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed, bool limits_bind,
                                           StopReason reason);
+
+/// Where errors of the values are a target and Galerkin's method adds as much to that of the interpolant again: what
+/// would take it away. error: of the solution, known or estimated.
+std::optional<std::string> hint_of_correction(const Targets& targets, const ErrorNorms& error,
+                                              const IterationRow& last);
 
 }  // namespace parmesan

@@ -27,6 +27,7 @@ Json estimate(const IterationRow& row) {
   return Json{{"l2", json_number(e->l2)},
               {"h1", json_number(e->h1)},
               {"linf", json_number(e->linf)},
+              {"interpolation_l2", json_number(e->interpolation_l2)},
               {"h1_residual", json_number(row.residual_h1)}};
 }
 

@@ -37,7 +37,6 @@ CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double
   constexpr std::size_t depth = 5;  // of the acceleration
   const Mesh& parts = discrete.parts.mesh();
   const Eigen::VectorXd& mass = discrete.system.mass;
-  const std::vector<double> zeros(values.size(), 0.0);
   Anderson acceleration(mass, depth);
   CorrectedValues result;
   result.values.assign(values.begin(), values.end());
@@ -51,7 +50,7 @@ CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double
     const Eigen::VectorXd f = vector_of(step->values);
     result.residual = std::move(step->residual);
     result.change = relative_change(mass, f, vector_of(values), w + f);
-    const double interpolation = error_of(discrete.mesh, step->surplus, zeros).l2;
+    const double interpolation = error_of(discrete.mesh, step->surplus, step->values).interpolation_l2;
     done = result.steps == max_steps || l2_norm(mass, f) <= tolerance * interpolation;
     if (done) {
       w += f;

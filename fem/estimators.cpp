@@ -77,18 +77,20 @@ double largest(const LocalError& e) {
 }  // namespace
 
 EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std::span<const double> nodal) {
-  double squares = 0.0, squared_gradients = 0.0;
+  double squares = 0.0, squared_gradients = 0.0, squares_without_nodal = 0.0;
   EstimatedError result;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const LocalError error{.corner = at_corners(mesh, t, nodal), .quadratic = {surplus[t]}};
     const P1Element element = p1_element(mesh, static_cast<int>(t));
     squares += integral_of_square(element.area, error);
     squared_gradients += integral_of_squared_gradient(element, error);
+    squares_without_nodal += integral_of_square(element.area, LocalError{.corner = {}, .quadratic = {surplus[t]}});
     const double most = largest(error);
     if (!(most <= result.linf)) result.linf = most;  // NaN stays
   }
   result.l2 = std::sqrt(squares);
   result.h1 = std::sqrt(squared_gradients);
+  result.interpolation_l2 = std::sqrt(squares_without_nodal);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "fem/quadratic.h"
@@ -12,6 +13,7 @@ struct EstimatedError {
   double l2 = 0.0;
   double h1 = 0.0;
   double linf = 0.0;
+  double interpolation_l2 = std::numeric_limits<double>::quiet_NaN();  // l2 if the values at the vertices were exact
 };
 
 /// L2 norm, H1 seminorm and maximum of the error that has this surplus, and these values at the vertices.

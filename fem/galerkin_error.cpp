@@ -68,6 +68,7 @@ ErrorEstimate estimate_error(DiscreteProblem& discrete, std::span<const double> 
       return accelerated;
     }
     const bool done = step + 1 >= least_steps && !(estimate.l2 > settled * result.l2);
+    result.interpolation_l2 = estimate.interpolation_l2;
     if (!(estimate.l2 <= result.l2)) result.l2 = estimate.l2;  // NaN stays
     if (!(estimate.linf <= result.linf)) result.linf = estimate.linf;
     result.h1 = std::max(result.h1, std::hypot(estimate.h1, by_arcs));

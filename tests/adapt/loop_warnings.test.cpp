@@ -38,3 +38,32 @@ TEST_CASE("an exact function without an L2 norm is warned of, and its data are n
   CHECK(warnings_with(1e-3).find("cannot be told") == std::string::npos);
   CHECK_THAT(warnings_with(1e-3), Catch::Contains("another solution"));
 }
+
+TEST_CASE("who wants a small L2 error is told of defect correction where Galerkin's method adds most of it",
+          "[adapt][loop]") {
+  Targets targets;
+  targets.l2_error = 1e-3;
+  const ErrorNorms error{.l2 = 5e-3};
+  IterationRow row;
+  row.solve_report.emplace();
+  row.solve_report->unknowns = 100;
+  row.estimated_error = EstimatedError{.l2 = 5e-3, .h1 = 1.0, .linf = 1e-2, .interpolation_l2 = 1e-3};
+  CHECK_THAT(hint_of_correction(targets, error, row).value_or(""),
+             Catch::Contains("5 times") && Catch::Contains("\"defect_correction\": true"));
+  SECTION("not where the interpolant is hardly better") { row.estimated_error->interpolation_l2 = 3e-3; }
+  SECTION("its known error counts before the estimate") { row.interpolation_error = ErrorNorms{.l2 = 4e-3}; }
+  SECTION("not where only gradients are wanted") {
+    targets.l2_error.reset();
+    targets.h1_error = 1.0;
+  }
+  SECTION("not where values are corrected") { row.solve_report->correction_steps = 2; }
+  SECTION("not where that is refused: with goals and captured discontinuities") {
+    if (GENERATE(false, true)) {
+      row.goal.emplace();
+    } else {
+      row.solve_report->capturing_steps = 3;
+    }
+  }
+  SECTION("not where nothing is known") { row.estimated_error.reset(); }
+  CHECK_FALSE(hint_of_correction(targets, error, row));
+}

@@ -14,9 +14,10 @@ namespace {
 using namespace support;
 
 struct Effectivity {
-  double l2 = 0.0;             // estimated over true error of the solution
-  double linf = 0.0;           //
-  double interpolation = 0.0;  // interpolation error over that of the solution, in L2
+  double l2 = 0.0;                // estimated over true error of the solution
+  double linf = 0.0;              //
+  double interpolation = 0.0;     // interpolation error over that of the solution, in L2
+  double of_interpolation = 0.0;  // estimated over true interpolation error, in L2
 };
 
 Effectivity effectivity(const Mesh& mesh, const Problem& problem, const ExactFunction& exact) {
@@ -25,7 +26,8 @@ Effectivity effectivity(const Mesh& mesh, const Problem& problem, const ExactFun
   const ErrorNorms error = error_norms(mesh, solution.values, exact);
   const EstimatedError estimate = estimate_error(discrete, solution.values).norms;
   const double interpolation = error_norms(mesh, interpolate(mesh, exact.value), exact).l2;
-  return {estimate.l2 / error.l2, estimate.linf / error.linf, interpolation / error.l2};
+  return {estimate.l2 / error.l2, estimate.linf / error.linf, interpolation / error.l2,
+          estimate.interpolation_l2 / interpolation};
 }
 
 /// The problem of which u is the solution, with constant coefficients.
@@ -90,6 +92,7 @@ TEST_CASE("the L2 estimate of a smooth solution is its error", "[fem][estimate][
   INFO("interpolation over solution: " << e.interpolation);
   CHECK(e.l2 == Approx(1.0).margin(margin));
   CHECK(e.linf == Approx(1.0).margin(2 * margin));
+  CHECK(e.of_interpolation == Approx(1.0).margin(margin));
 }
 
 TEST_CASE("the estimate is the error where that of the interpolant is far from it", "[fem][estimate][galerkin]") {
