@@ -58,7 +58,7 @@ GoalRow goal_row(const Case& input, const Iterate& iterate) {
   const GoalFunctional functional = goal_functional(*input.goal, iterate.mesh);
   row.value = evaluate(*input.goal, iterate.mesh, iterate.values, iterate.fluxes);
   row.estimate =
-      estimate_goal_error(iterate.mesh, input.problem, functional, iterate.values, iterate.residual, iterate.dual);
+      estimate_goal_error(iterate.mesh, input.problem, functional, {iterate.values, iterate.residual, iterate.dual});
   if (iterate.goal_error) {
     row.estimate.error = *iterate.goal_error;
     row.estimate.magnitude = std::max(row.estimate.magnitude, std::abs(*iterate.goal_error));

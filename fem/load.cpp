@@ -140,9 +140,22 @@ struct Children {
   }
 };
 
-/// What all triangles together may lose by jumps that their points do not see.
-double negligible_jump(double global, std::size_t num_triangles) {
-  return 0.1 * global * static_cast<double>(num_triangles);
+/// How closely each triangle is looked at.
+struct Tolerance {
+  double local = 0.0;       // of a part's own integral of |f|
+  double global = 0.0;      // of the mean integral of |f| over a triangle
+  double negligible = 0.0;  // what all triangles together may lose by jumps that their points do not see
+  int min_depth = 0;
+
+  bool sees_corners() const { return min_depth > 0; }
+};
+
+Tolerance tolerance_for(const std::vector<Sample>& samples, const LoadAccuracy& accuracy) {
+  double magnitude = 0.0;
+  for (const Sample& sample : samples) magnitude += sample.magnitude;
+  const auto n = static_cast<double>(samples.size());
+  const double global = accuracy.tolerance * magnitude / n;
+  return {accuracy.tolerance, global, 0.1 * global * n, accuracy.min_depth};
 }
 
 /// The corners of a part see a jump that its points do not, and what that can cost is not negligible.
@@ -172,19 +185,19 @@ void add(const SourceMoments& part, SourceMoments& sum) {
 /// one, which halves with each level because a layer meets twice as many parts. result: the moments of the triangles
 /// that are not open; returned with all.
 std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open,
-                                  const LoadAccuracy& accuracy, double global, std::vector<SourceMoments> result) {
-  const bool with_corners = accuracy.min_depth > 0;
-  const double negligible = negligible_jump(global, result.size());
+                                  const Tolerance& tolerance, std::vector<SourceMoments> result) {
   for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
     const std::vector<SampledPart> parents = std::exchange(open, {});
     std::vector<Children> families(parents.size());
-    for_each_in_parallel(parents.size(),
-                         [&](std::size_t k) { families[k] = children_of(mesh, problem, parents[k], with_corners); });
+    for_each_in_parallel(parents.size(), [&](std::size_t k) {
+      families[k] = children_of(mesh, problem, parents[k], tolerance.sees_corners());
+    });
     for (std::size_t k = 0; k < parents.size(); ++k) {
       const SampledPart& parent = parents[k];
       const Children& children = families[k];
-      const bool is_confirmed = children.confirm(parent.sample, accuracy.tolerance, std::ldexp(global, 1 - depth));
-      if (is_confirmed && depth > accuracy.min_depth && !hides_jump(parent.sample, negligible)) {
+      const bool is_confirmed =
+          children.confirm(parent.sample, tolerance.local, std::ldexp(tolerance.global, 1 - depth));
+      if (is_confirmed && depth > tolerance.min_depth && !hides_jump(parent.sample, tolerance.negligible)) {
         add(children.moments, result[parent.triangle]);
       } else {
         open.insert(open.end(), children.parts.begin(), children.parts.end());
@@ -196,21 +209,20 @@ std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std:
 }
 
 /// The orbits differ; for functions that jump also: the points do, or the corners differ from all of them.
-bool is_rough(const Sample& sample, const LoadAccuracy& accuracy, double global, double negligible) {
-  if (sample.orbit_error > std::max(global, OrbitFactor * accuracy.tolerance * sample.magnitude)) return true;
-  if (accuracy.min_depth == 0) return false;
-  return sample.spread > std::max(global, 0.5 * sample.magnitude) || hides_jump(sample, negligible);
+bool is_rough(const Sample& sample, const Tolerance& tolerance) {
+  if (sample.orbit_error > std::max(tolerance.global, OrbitFactor * tolerance.local * sample.magnitude)) return true;
+  if (!tolerance.sees_corners()) return false;
+  return sample.spread > std::max(tolerance.global, 0.5 * sample.magnitude) || hides_jump(sample, tolerance.negligible);
 }
 
 /// 1 for the triangles whose orbits differ and for those that share an edge (or a vertex) with one: where a layer
 /// crosses triangles that do not resolve it, the orbits of a few agree by chance.
 std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sample>& samples,
-                                       const LoadAccuracy& accuracy, double global) {
-  const double negligible = negligible_jump(global, samples.size());
-  const std::ptrdiff_t shared = accuracy.min_depth > 0 ? 1 : 2;
+                                       const Tolerance& tolerance) {
+  const std::ptrdiff_t shared = tolerance.sees_corners() ? 1 : 2;
   std::vector<char> rough_vertex(static_cast<std::size_t>(mesh.num_vertices()), 0);
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    if (!is_rough(samples[t], accuracy, global, negligible)) continue;
+    if (!is_rough(samples[t], tolerance)) continue;
     for (const int v : mesh.triangles[t]) rough_vertex[static_cast<std::size_t>(v)] = 1;
   }
   std::vector<char> result(samples.size());
@@ -231,10 +243,8 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
     const P1Element element = p1_element(mesh, static_cast<int>(t));
     samples[t] = ElementSource(problem, element, mesh.regions[t], accuracy.min_depth > 0).sample({});
   });
-  double magnitude = 0.0;
-  for (const Sample& sample : samples) magnitude += sample.magnitude;
-  const double global = accuracy.tolerance * magnitude / static_cast<double>(samples.size());
-  const std::vector<char> suspected = near_rough_triangles(mesh, samples, accuracy, global);
+  const Tolerance tolerance = tolerance_for(samples, accuracy);
+  const std::vector<char> suspected = near_rough_triangles(mesh, samples, tolerance);
   std::vector<SourceMoments> result(samples.size());
   std::vector<SampledPart> open;
   for (std::size_t t = 0; t < samples.size(); ++t) {
@@ -244,7 +254,7 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
       result[t] = samples[t].moments;
     }
   }
-  return refine(mesh, problem, std::move(open), accuracy, global, std::move(result));
+  return refine(mesh, problem, std::move(open), tolerance, std::move(result));
 }
 
 }  // namespace parmesan
