@@ -1,6 +1,5 @@
 #include "adapt/goal_error.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>

@@ -5,6 +5,7 @@
 
 #include "fem/adjacency.h"
 #include "fem/coefficients.h"
+#include "fem/linear_solver.h"
 #include "fem/reduction.h"
 #include "mesher/number_text.h"
 

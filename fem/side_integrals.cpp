@@ -1,7 +1,6 @@
 #include "fem/side_integrals.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fem/coefficients.h"

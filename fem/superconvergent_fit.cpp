@@ -1,7 +1,5 @@
 #include "fem/superconvergent_fit.h"
 
-#include <cmath>
-
 namespace parmesan {
 
 namespace {
