@@ -12,9 +12,9 @@ namespace parmesan {
 
 namespace {
 
-constexpr double OrbitFactor = 50.0;  // a difference of the two orbits of this many tolerances calls for subdivision
-constexpr int MaxDepth = 10;
-constexpr std::size_t MaxParts = 100'000;  // of one level; a source that is noise asks for any number
+constexpr double orbit_factor = 50.0;  // a difference of the two orbits of this many tolerances calls for subdivision
+constexpr int max_depth = 10;
+constexpr std::size_t max_parts = 100'000;  // of one level; a source that is noise asks for any number
 
 /// A part of a triangle and what was sampled there.
 struct SampledPart {
@@ -83,7 +83,7 @@ void add(const SourceMoments& part, SourceMoments& sum) {
 /// that are not open; returned with all.
 std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open,
                                   const LoadTolerance& tolerance, std::vector<SourceMoments> result) {
-  for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
+  for (int depth = 1; depth <= max_depth && 4 * open.size() <= max_parts + result.size(); ++depth) {
     const std::vector<SampledPart> parents = std::exchange(open, {});
     std::vector<Children> families(parents.size());
     for_each_in_parallel(parents.size(), [&](std::size_t k) {
@@ -107,7 +107,7 @@ std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std:
 
 /// The orbits differ; for functions that jump also: the points do, or the corners differ from all of them.
 bool is_rough(const SourceSample& sample, const LoadTolerance& tolerance) {
-  if (sample.orbit_error > std::max(tolerance.global, OrbitFactor * tolerance.local * sample.magnitude)) return true;
+  if (sample.orbit_error > std::max(tolerance.global, orbit_factor * tolerance.local * sample.magnitude)) return true;
   if (!tolerance.sees_corners()) return false;
   return sample.spread > std::max(tolerance.global, 0.5 * sample.magnitude) || hides_jump(sample, tolerance.negligible);
 }
