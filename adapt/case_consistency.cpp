@@ -91,7 +91,8 @@ Vector normal_at(const Domain& domain, const Segment& side, double t) {
 }
 
 void check_dirichlet(CaseReading& reading, const CaseGeometry& geometry, const Equation& equation,
-                     const Problem& problem, const std::vector<Segment>& sides, double size) {
+                     const Problem& problem, double size) {
+  const std::vector<Segment> sides = sides_of(geometry);
   for (std::size_t i = 0; i < std::min(sides.size(), kMostSides); ++i) {
     const auto condition = problem.boundary.find(sides[i].label);
     if (condition == problem.boundary.end() || condition->second.kind != BoundaryKind::Dirichlet) continue;
@@ -132,7 +133,7 @@ void check_consistency(CaseReading& reading, const CaseGeometry& geometry, const
   }
   try {
     if (source && source->by_region.empty()) check_source(reading, equation, *source->other, samples);
-    check_dirichlet(reading, geometry, equation, problem, sides, size);
+    check_dirichlet(reading, geometry, equation, problem, size);
   } catch (const ProblemError&) {
     // a value that is not finite at some sample: an error only where the solver needs it
   }

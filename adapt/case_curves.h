@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "adapt/case_reading.h"
 #include "adapt/domain_builder.h"

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "adapt/expression.h"
 #include "fem/problem.h"

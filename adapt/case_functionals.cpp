@@ -88,4 +88,11 @@ void read_functionals_section(CaseReading& reading, const CaseGeometry* geometry
   }
 }
 
+std::vector<std::string> names_of(const std::vector<CaseFunctional>& functionals) {
+  std::vector<std::string> names;
+  names.reserve(functionals.size());
+  for (const CaseFunctional& functional : functionals) names.push_back(functional.name);
+  return names;
+}
+
 }  // namespace parmesan

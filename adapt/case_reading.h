@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -27,6 +28,17 @@ struct CaseReading {
 /// A list of two numbers, as the schema has it.
 inline Point read_point(const nlohmann::ordered_json& value) {
   return {value[0].get<double>(), value[1].get<double>()};
+}
+
+/// A number that may be absent.
+inline std::optional<double> optional_number(const nlohmann::ordered_json& section, const char* key) {
+  if (!section.contains(key)) return std::nullopt;
+  return section[key].get<double>();
+}
+
+inline std::optional<std::int64_t> optional_count(const nlohmann::ordered_json& section, const char* key) {
+  if (!section.contains(key)) return std::nullopt;
+  return static_cast<std::int64_t>(section[key].get<double>());
 }
 
 /// A domain with what boundary conditions need to know of it.
@@ -59,6 +71,12 @@ std::shared_ptr<const GivenField> read_given_field(CaseReading& reading);
 
 /// Reads /functionals. geometry may be null when it could not be read: then names are not checked.
 void read_functionals_section(CaseReading& reading, const CaseGeometry* geometry, Case& result);
+
+/// The names of functionals, in their order.
+std::vector<std::string> names_of(const std::vector<CaseFunctional>& functionals);
+
+/// Reads /targets, after /problem and /functionals.
+void read_targets(CaseReading& reading, const nlohmann::ordered_json& section, Case& result);
 
 /// Reads /metric, /targets, /mesher, /initial, /output and /expect.
 void read_option_sections(CaseReading& reading, Case& result);

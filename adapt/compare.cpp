@@ -1,7 +1,6 @@
 #include "adapt/compare.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <span>
 #include <string>

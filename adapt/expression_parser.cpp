@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "adapt/expression.h"
-#include "adapt/expression_evaluate.h"
 #include "adapt/expression_functions.h"
 #include "adapt/expression_lexer.h"
 #include "adapt/expression_names.h"

@@ -1,6 +1,5 @@
 #include "adapt/goal_error.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -60,13 +59,17 @@ std::vector<double> dual_surplus(const Mesh& coarse, const Refinement& fine, std
   return result;
 }
 
-/// J(phi_i) - a(phi_i, z) of the fine hat functions; zeros where u is exact on all Dirichlet sides.
+/// Whether u has the values that are given.
+bool is_exact_where_fixed(std::span<const double> u, const FixedVertices& fixed) {
+  for (std::size_t v = 0; v < u.size(); ++v)
+    if (fixed.fixed[v] && fixed.values[v] != u[v]) return false;
+  return true;
+}
+
+/// J(phi_i) - a(phi_i, z) of the fine hat functions.
 std::vector<double> dual_residual(const Mesh& mesh, const GoalFunctional& goal, const AssembledSystem& system,
-                                  std::span<const double> z, const FixedVertices& fixed, std::span<const double> u) {
-  std::vector<double> result(u.size(), 0.0);
-  bool is_exact = true;
-  for (std::size_t v = 0; v < u.size(); ++v) is_exact = is_exact && (!fixed.fixed[v] || fixed.values[v] == u[v]);
-  if (is_exact) return result;
+                                  std::span<const double> z) {
+  std::vector<double> result(z.size());
   const Functional functional = functional_vector(mesh, goal);
   Eigen::Map<Eigen::VectorXd>(result.data(), static_cast<Eigen::Index>(result.size())) =
       vector_of(functional) - system.matrix.transpose() * vector_of(z);
@@ -76,8 +79,7 @@ std::vector<double> dual_residual(const Mesh& mesh, const GoalFunctional& goal, 
 }  // namespace
 
 GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
-                              std::span<const double> values, std::span<const double> residual,
-                              std::span<const double> dual) {
+                              const SolutionWithDual& solution) {
   constexpr double of_parabolas = 4.0 / 3.0;
   const Refinement fine = refined(mesh);
   const std::vector<Side> sides = labelled_sides(fine.mesh);
@@ -85,16 +87,17 @@ GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const Go
   unstabilized.stabilize = false;
   const AssembledSystem system = assemble_with_conditions(fine.mesh, unstabilized, sides);
   const FixedVertices fixed = dirichlet_values(fine.mesh, problem, sides);
-  const std::vector<double> u = prolonged(fine, values);
-  std::vector<double> z = prolonged(fine, dual);
-  const std::vector<double> above = dual_surplus(mesh, fine, dual, fixed);
+  const std::vector<double> u = prolonged(fine, solution.values);
+  std::vector<double> z = prolonged(fine, solution.dual);
+  const std::vector<double> above = dual_surplus(mesh, fine, solution.dual, fixed);
   const Eigen::VectorXd left = system.load - system.matrix * vector_of(u);  // by u_h, without SUPG
   GoalError result;
-  result.error = vector_of(z).dot(left) + vector_of(dual).dot(vector_of(residual));
+  result.error = vector_of(z).dot(left) + vector_of(solution.dual).dot(vector_of(solution.residual));
   for (std::size_t v = 0; v < z.size(); ++v) z[v] += above[v];
-  const std::vector<double> weights = dual_residual(fine.mesh, goal, system, z, fixed, u);
+  const std::vector<double> weights =
+      is_exact_where_fixed(u, fixed) ? std::vector<double>(u.size(), 0.0) : dual_residual(fine.mesh, goal, system, z);
   result.magnitude = std::abs(result.error);
-  for (std::size_t m = values.size(); m < u.size(); ++m) {
+  for (std::size_t m = solution.values.size(); m < u.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(m);
     const double part = fixed.fixed[m] ? (fixed.values[m] - u[m]) * weights[m] : above[m] * left[row];
     result.error += of_parabolas * part;

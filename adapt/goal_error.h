@@ -14,6 +14,13 @@ struct GoalError {
   double magnitude = 0.0;  // the sum of the sizes of its parts, which do not cancel out
 };
 
+/// A solution u_h with its dual solution z_h. Shape: one number per vertex.
+struct SolutionWithDual {
+  std::span<const double> values;
+  std::span<const double> residual;  // -r_h at the vertices
+  std::span<const double> dual;
+};
+
 /// Dual-weighted residual (Becker & Rannacher, Acta Numer. 10 (2001) 1): with r(v) = F(v) - a(u_h, v) without SUPG,
 /// r_h and z_h those of the discrete problem,
 ///
@@ -24,10 +31,8 @@ struct GoalError {
 /// what they give at new vertices is multiplied by 4/3: there hat functions have 3/4 of the integrals of the parabolas
 /// they stand for, over triangles and edges alike.
 ///
-/// values, dual: nodal values of u_h and z_h. residual: of the solution, -r_h at the vertices. Errors: as solve. Cost:
-/// O(n), that of assembling on 4 n triangles.
+/// Errors: as solve. Cost: O(n), that of assembling on 4 n triangles.
 GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
-                              std::span<const double> values, std::span<const double> residual,
-                              std::span<const double> dual);
+                              const SolutionWithDual& solution);
 
 }  // namespace parmesan

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "adapt/aspect_bound.h"

@@ -1,7 +1,6 @@
 #include "adapt/indicator_metric.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

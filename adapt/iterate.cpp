@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "adapt/functional_value.h"
@@ -14,7 +13,6 @@
 #include "fem/functionals.h"
 #include "fem/galerkin_error.h"
 #include "mesher/arc_heights.h"
-#include "mesher/cracks.h"
 #include "mesher/generate_around.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_path.h"
@@ -171,11 +169,7 @@ Iterate remesh(const Case& input, const Iterate& previous, const Mesh& backgroun
 
 void compute_values(const Case& input, Iterate& iterate, const Iterate* previous) {
   if (input.interpolation) return interpolate_on(input, iterate);
-  if (has_cracks(iterate.mesh)) {
-    solve_on(moved_off_cracks(iterate.mesh), input, previous, iterate);
-  } else {
-    solve_on(iterate.mesh, input, previous, iterate);
-  }
+  with_open_cracks(iterate.mesh, [&](const Mesh& open) { solve_on(open, input, previous, iterate); });
   if (input.goal) solve_goal(input, iterate);
 }
 

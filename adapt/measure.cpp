@@ -14,8 +14,6 @@
 #include "adapt/nodal_values.h"
 #include "adapt/stopwatch.h"
 #include "fem/residual_estimate.h"
-#include "mesher/cracks.h"
-#include "mesher/errors.h"
 #include "mesher/quality.h"
 
 namespace parmesan {
@@ -31,8 +29,9 @@ double peak_memory_mb() {
 /// Nothing where the source is not finite everywhere: one like 1/r is known by its divergence form only.
 std::optional<double> estimate_by_residuals(const Case& input, const Iterate& iterate) {
   try {
-    return has_cracks(iterate.mesh) ? residual_estimate(moved_off_cracks(iterate.mesh), input.problem, iterate.values)
-                                    : residual_estimate(iterate.mesh, input.problem, iterate.values);
+    return with_open_cracks(iterate.mesh, [&](const Mesh& open) {
+      return std::optional(residual_estimate(open, input.problem, iterate.values));
+    });
   } catch (const ProblemError&) {
     return std::nullopt;
   }
@@ -58,7 +57,7 @@ GoalRow goal_row(const Case& input, const Iterate& iterate) {
   const GoalFunctional functional = goal_functional(*input.goal, iterate.mesh);
   row.value = evaluate(*input.goal, iterate.mesh, iterate.values, iterate.fluxes);
   row.estimate =
-      estimate_goal_error(iterate.mesh, input.problem, functional, iterate.values, iterate.residual, iterate.dual);
+      estimate_goal_error(iterate.mesh, input.problem, functional, {iterate.values, iterate.residual, iterate.dual});
   if (iterate.goal_error) {
     row.estimate.error = *iterate.goal_error;
     row.estimate.magnitude = std::max(row.estimate.magnitude, std::abs(*iterate.goal_error));

@@ -3,7 +3,6 @@
 #include <cstddef>
 
 #include "fem/norms.h"
-#include "mesher/cracks.h"
 
 namespace parmesan {
 namespace {
@@ -39,7 +38,7 @@ Mesh moved_off_cracks(const Mesh& mesh) {
 }
 
 std::vector<double> nodal_values(const Mesh& mesh, const std::function<double(const Point&)>& f) {
-  return has_cracks(mesh) ? interpolate(moved_off_cracks(mesh), f) : interpolate(mesh, f);
+  return with_open_cracks(mesh, [&f](const Mesh& open) { return interpolate(open, f); });
 }
 
 }  // namespace parmesan

@@ -1,6 +1,5 @@
 #include "adapt/run_case.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>

@@ -10,10 +10,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json norms(const std::optional<ErrorNorms>& e, bool with_l1) {
+Json norms(const std::optional<ErrorNorms>& e) {
   if (!e) return nullptr;
   Json j;
-  if (with_l1) j["l1"] = json_number(e->l1);
   j["l2"] = json_number(e->l2);
   j["linf"] = json_number(e->linf);
   j["h1"] = json_number(e->h1);
@@ -29,6 +28,13 @@ Json estimate(const IterationRow& row) {
               {"linf", json_number(e->linf)},
               {"interpolation_l2", json_number(e->interpolation_l2)},
               {"h1_residual", json_number(row.residual_h1)}};
+}
+
+Json norms_with_l1(const std::optional<ErrorNorms>& e) {
+  if (!e) return nullptr;
+  Json j{{"l1", json_number(e->l1)}};
+  j.update(norms(e));
+  return j;
 }
 
 // Estimated over true error.
@@ -130,9 +136,9 @@ nlohmann::ordered_json to_json(const IterationRow& row) {
                   {"h_max", row.clipped.h_max.count},
                   {"aspect", row.clipped.aspect.count},
                   {"gradation", row.clipped.gradation.count}};
-  j["interpolation_error"] = norms(row.interpolation_error, true);
+  j["interpolation_error"] = norms_with_l1(row.interpolation_error);
   j["efficiency"] = json_number(row.efficiency);
-  j["solution_error"] = norms(row.solution_error, false);
+  j["solution_error"] = norms(row.solution_error);
   j["estimated_error"] = estimate(row);
   j["effectivity"] = effectivity(row);
   j["goal"] = goal(row.goal);

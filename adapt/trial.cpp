@@ -1,7 +1,6 @@
 #include "adapt/trial.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <deque>
+#include <utility>
 
 namespace parmesan {
 

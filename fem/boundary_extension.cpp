@@ -6,7 +6,7 @@ namespace parmesan {
 
 namespace {
 
-constexpr std::size_t MinPoints = 4;
+constexpr std::size_t min_points = 4;
 
 /// The equations of the linear function at the inner vertices of a patch.
 NormalEquations<3> equations_at_inner(const VertexPatch& patch, const std::vector<double>& field) {
@@ -25,7 +25,7 @@ std::optional<double> extrapolated(VertexPatch& patch, int vertex, const std::ve
   patch.start(vertex);
   for (int ring = 1; ring <= VertexPatch::max_rings && patch.grow(); ++ring) {
     const NormalEquations<3> equations = equations_at_inner(patch, field);
-    if (equations.rows < MinPoints) continue;
+    if (equations.rows < min_points) continue;
     if (const auto fit = solution(equations)) return (*fit)[0];
   }
   return std::nullopt;

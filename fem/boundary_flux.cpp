@@ -27,8 +27,8 @@ SideMoments own_flux(const Mesh& mesh, const Problem& problem, const Side& side)
   try {
     return source_flux_moments(mesh, problem, side);
   } catch (const ProblemError&) {
-    constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
-    return {Unknown, Unknown, Unknown};
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, unknown, unknown};
   }
 }
 

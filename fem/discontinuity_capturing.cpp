@@ -11,7 +11,7 @@ namespace parmesan {
 
 namespace {
 
-constexpr double Strength = 0.6;  // C, for linear elements
+constexpr double strength = 0.6;  // C, for linear elements
 
 double crosswind_diffusion(const Problem& problem, const P1Element& element, const std::array<double, 3>& u,
                            int region) {
@@ -29,7 +29,7 @@ double crosswind_diffusion(const Problem& problem, const P1Element& element, con
     diffusion += weight * dot(across, diffusion_at(problem, x, region) * across);
   }
   const double length = directional_length(element, across);
-  return std::max(0.0, 0.5 * Strength * length * std::abs(residual) / slope - diffusion);
+  return std::max(0.0, 0.5 * strength * length * std::abs(residual) / slope - diffusion);
 }
 
 }  // namespace

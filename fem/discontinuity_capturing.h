@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "fem/p1.h"
 #include "fem/problem.h"
 
 namespace parmesan {

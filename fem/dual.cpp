@@ -1,7 +1,6 @@
 #include "fem/dual.h"
 
 #include <set>
-#include <utility>
 
 #include "fem/assembly.h"
 #include "fem/boundary_conditions.h"

@@ -30,14 +30,14 @@ using SymmetricFactorization = Eigen::SimplicialLDLT<ColumnMatrix>;
 using Factorization = Eigen::SparseLU<ColumnMatrix>;
 #endif
 
-constexpr double MaxBackwardError = 1e-10;
-constexpr double MaxGrowth = 1e14;
-constexpr double IterativeTolerance = 1e-11;  // ||b - Ax|| / ||b||
-constexpr double ApproximateTolerance = 1e-6;
-constexpr int DirectLimitSymmetric = 100'000;
-constexpr int DirectLimitNonsymmetric = 50'000;
-constexpr int MaxRestart = 1000;
-constexpr double MultigridPeclet = 1.0;  // multigrid preconditions what diffusion dominates
+constexpr double max_backward_error = 1e-10;
+constexpr double max_growth = 1e14;
+constexpr double iterative_tolerance = 1e-11;  // ||b - Ax|| / ||b||
+constexpr double approximate_tolerance = 1e-6;
+constexpr int direct_limit_symmetric = 100'000;
+constexpr int direct_limit_nonsymmetric = 50'000;
+constexpr int max_restart = 1000;
+constexpr double multigrid_peclet = 1.0;  // multigrid preconditions what diffusion dominates
 
 /// One way to solve.
 struct Attempt {
@@ -45,26 +45,26 @@ struct Attempt {
   Preconditioner preconditioner = Preconditioner::Automatic;
 };
 
-constexpr Attempt Cholesky{SolverMethod::Ldlt};
-constexpr Attempt Lu{SolverMethod::Lu};
-constexpr Attempt GmresIncompleteLu{SolverMethod::Gmres, Preconditioner::IncompleteLu};
-constexpr Attempt BiCgStabIncompleteLu{SolverMethod::BiCgStab, Preconditioner::IncompleteLu};
+constexpr Attempt cholesky{SolverMethod::Ldlt};
+constexpr Attempt lu{SolverMethod::Lu};
+constexpr Attempt gmres_incomplete_lu{SolverMethod::Gmres, Preconditioner::IncompleteLu};
+constexpr Attempt bicgstab_incomplete_lu{SolverMethod::BiCgStab, Preconditioner::IncompleteLu};
 
 /// What a wished method is preconditioned with: aggregation follows diffusion, and CG needs symmetry.
 Preconditioner preconditioner_for(SolverMethod method, const MatrixKind& kind) {
-  const bool diffusive = kind.symmetric ? kind.definite : kind.peclet_max <= MultigridPeclet;
+  const bool diffusive = kind.symmetric ? kind.definite : kind.peclet_max <= multigrid_peclet;
   return diffusive || method == SolverMethod::Cg ? Preconditioner::Multigrid : Preconditioner::IncompleteLu;
 }
 
 /// The methods to try, the fastest for this size first, the most robust last.
 std::vector<Attempt> automatic_attempts(Eigen::Index unknowns, const MatrixKind& kind) {
   if (!kind.symmetric) {
-    if (unknowns <= DirectLimitNonsymmetric) return {Lu};
-    if (kind.peclet_max > MultigridPeclet) return {BiCgStabIncompleteLu, GmresIncompleteLu, Lu};
-    return {{SolverMethod::BiCgStab, Preconditioner::Multigrid}, GmresIncompleteLu, Lu};
+    if (unknowns <= direct_limit_nonsymmetric) return {lu};
+    if (kind.peclet_max > multigrid_peclet) return {bicgstab_incomplete_lu, gmres_incomplete_lu, lu};
+    return {{SolverMethod::BiCgStab, Preconditioner::Multigrid}, gmres_incomplete_lu, lu};
   }
-  if (!kind.definite || unknowns <= DirectLimitSymmetric) return {Cholesky, Lu};
-  return {{SolverMethod::Cg, Preconditioner::Multigrid}, Cholesky, Lu};
+  if (!kind.definite || unknowns <= direct_limit_symmetric) return {cholesky, lu};
+  return {{SolverMethod::Cg, Preconditioner::Multigrid}, cholesky, lu};
 }
 
 /// The method that was wished for, then direct ones.
@@ -73,8 +73,8 @@ std::vector<Attempt> attempts_for(Eigen::Index unknowns, const MatrixKind& kind,
   const bool chosen = options.preconditioner != Preconditioner::Automatic;
   std::vector<Attempt> attempts{
       {options.method, chosen ? options.preconditioner : preconditioner_for(options.method, kind)}};
-  if (kind.symmetric && options.method != SolverMethod::Ldlt) attempts.push_back(Cholesky);
-  if (options.method != SolverMethod::Lu) attempts.push_back(Lu);
+  if (kind.symmetric && options.method != SolverMethod::Ldlt) attempts.push_back(cholesky);
+  if (options.method != SolverMethod::Lu) attempts.push_back(lu);
   return attempts;
 }
 
@@ -87,9 +87,9 @@ void check_options(const MatrixKind& kind, const SolverOptions& options) {
   if (options.method == SolverMethod::Cg && options.preconditioner == Preconditioner::IncompleteLu) {
     throw ProblemError("the solver cg needs a symmetric preconditioner, multigrid or jacobi, not ilut");
   }
-  if (options.restart < 1 || options.restart > MaxRestart) {
+  if (options.restart < 1 || options.restart > max_restart) {
     throw InputError("restart is " + std::to_string(options.restart) + "; it must be from 1 to " +
-                     std::to_string(MaxRestart));
+                     std::to_string(max_restart));
   }
 }
 
@@ -208,22 +208,22 @@ LinearResult LinearSolver::solve(const Eigen::VectorXd& b, const Eigen::VectorXd
   const std::vector<Attempt> attempts = attempts_for(matrix_.rows(), kind_, options_);
   for (; attempt_ < attempts.size(); ++attempt_, method_ = nullptr) {
     if (!method_) method_ = prepared(attempts[attempt_], matrix_, options_.restart);
-    LinearResult result = method_(b, guess, IterativeTolerance);
+    LinearResult result = method_(b, guess, iterative_tolerance);
     result.backward_error = backward_error(matrix_, result.x, b);
     const double grown = growth(matrix_, result.x, b);
-    if (result.backward_error <= MaxBackwardError && grown <= MaxGrowth) return result;
+    if (result.backward_error <= max_backward_error && grown <= max_growth) return result;
     tried += " " + result.solver + " " + text(result.backward_error, 6) + " (growth " + text(grown, 6) + ")";
   }
   attempt_ = 0;
-  throw SolveError("no solution with a backward error of at most " + text(MaxBackwardError) +
-                   " and a growth of at most " + text(MaxGrowth) + "; reached:" + tried);
+  throw SolveError("no solution with a backward error of at most " + text(max_backward_error) +
+                   " and a growth of at most " + text(max_growth) + "; reached:" + tried);
 }
 
 std::optional<Eigen::VectorXd> LinearSolver::approximate(const Eigen::VectorXd& b) {
   if (b.isZero(0.0)) return b;
   if (!method_) return std::nullopt;
-  LinearResult result = method_(b, Eigen::VectorXd::Zero(b.size()), ApproximateTolerance);
-  if (!((b - matrix_ * result.x).norm() <= 2.0 * ApproximateTolerance * b.norm())) return std::nullopt;
+  LinearResult result = method_(b, Eigen::VectorXd::Zero(b.size()), approximate_tolerance);
+  if (!((b - matrix_ * result.x).norm() <= 2.0 * approximate_tolerance * b.norm())) return std::nullopt;
   return std::move(result.x);
 }
 

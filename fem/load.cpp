@@ -12,118 +12,15 @@ namespace parmesan {
 
 namespace {
 
-constexpr double OrbitFactor = 50.0;  // a difference of the two orbits of this many tolerances calls for subdivision
-constexpr int MaxDepth = 10;
-constexpr std::size_t MaxParts = 100'000;  // of one level; a source that is noise asks for any number
-
-/// What the degree 4 rule says about a triangle or a part of one.
-struct Sample {
-  SourceMoments moments{};
-  double magnitude = 0.0;      // integral of |f|, or what stands for it
-  double orbit_error = 0.0;    // difference of the integrals over the two orbits of three points
-  double spread = 0.0;         // of f, largest less smallest, times the area
-  double corner_spread = 0.0;  // the same with the points beside the corners
-};
-
-/// A part of an element, its corners in the barycentric coordinates of the element.
-struct Part {
-  std::array<Barycentric, 3> corners{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  double share = 1.0;  // of the element's area
-};
-
-/// A combination of the corners of a part.
-Barycentric combine(const std::array<Barycentric, 3>& c, const Barycentric& l) {
-  Barycentric result{};
-  for (std::size_t i = 0; i < 3; ++i) result[i] = l[0] * c[0][i] + l[1] * c[1][i] + l[2] * c[2][i];
-  return result;
-}
-
-std::array<Part, 4> subdivide(const Part& part) {
-  const auto& c = part.corners;
-  const Barycentric m0 = combine(c, {0.0, 0.5, 0.5});
-  const Barycentric m1 = combine(c, {0.5, 0.0, 0.5});
-  const Barycentric m2 = combine(c, {0.5, 0.5, 0.0});
-  const double share = 0.25 * part.share;
-  return {{{{c[0], m2, m1}, share}, {{m2, c[1], m0}, share}, {{m1, m0, c[2]}, share}, {{m0, m1, m2}, share}}};
-}
-
-/// The source on one element.
-class ElementSource {
- public:
-  ElementSource(const Problem& problem, const P1Element& element, int region, bool with_corners)
-      : problem_(problem), element_(element), region_(region), with_corners_(with_corners) {}
-
-  Sample sample(const Part& part) const {
-    Sample result;
-    std::array<double, 2> orbit{};
-    const double area = part.share * element_.area;
-    double smallest = HUGE_VAL, largest = -HUGE_VAL;
-    for (std::size_t q = 0; q < degree4_rule().size(); ++q) {
-      const TrianglePoint& point = degree4_rule()[q];
-      const Barycentric l = combine(part.corners, point.lambda);
-      const double f = remainder_at(problem_, element_.at(l), region_);
-      for (std::size_t i = 0; i < 3; ++i) result.moments[i] += area * point.weight * f * l[i];
-      result.magnitude += area * point.weight * std::abs(f);
-      orbit[q / 3] += area * f / 3.0;
-      smallest = std::min(smallest, f);
-      largest = std::max(largest, f);
-    }
-    result.orbit_error = std::abs(orbit[0] - orbit[1]);
-    result.spread = area * (largest - smallest);
-    if (with_corners_) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double f = beside_corner(part, i);
-        smallest = std::min(smallest, f);
-        largest = std::max(largest, f);
-      }
-      result.corner_spread = area * (largest - smallest);
-    }
-    if (uses_divergence_form(problem_)) add_flux(part, area, result);
-    return result;
-  }
-
- private:
-  /// Not at the corner: f may be singular there.
-  double beside_corner(const Part& part, std::size_t i) const {
-    constexpr double aside = 1e-3;
-    Barycentric l{aside, aside, aside};
-    l[i] = 1.0 - 2.0 * aside;
-    return remainder_at(problem_, element_.at(combine(part.corners, l)), region_);
-  }
-
-  /// q.grad phi_i. All rules are exact for the mean of q, so that only the rest counts as magnitude.
-  void add_flux(const Part& part, double area, Sample& result) const {
-    std::array<Vector, 6> flux;
-    std::array<Vector, 2> orbit;
-    Vector mean;
-    for (std::size_t k = 0; k < flux.size(); ++k) {
-      const auto& [lambda, weight] = degree4_rule()[k];
-      flux[k] = source_flux_at(problem_, element_.at(combine(part.corners, lambda)), region_);
-      mean = mean + weight * flux[k];
-      orbit[k / 3] = orbit[k / 3] + (1.0 / 3.0) * flux[k];
-    }
-    double steepest = 0.0;  // gradient of a basis function
-    for (std::size_t i = 0; i < 3; ++i) {
-      result.moments[i] += area * dot(mean, element_.gradient[i]);
-      steepest = std::max(steepest, norm(element_.gradient[i]));
-    }
-    for (std::size_t k = 0; k < flux.size(); ++k) {
-      result.magnitude += area * steepest * degree4_rule()[k].weight * norm(flux[k] - mean);
-    }
-    result.orbit_error += area * steepest * norm(orbit[0] - orbit[1]);
-  }
-
-  const Problem& problem_;
-  const P1Element& element_;
-  int region_;
-  bool with_corners_;
-};
+constexpr double orbit_factor = 50.0;  // a difference of the two orbits of this many tolerances calls for subdivision
+constexpr int max_depth = 10;
+constexpr std::size_t max_parts = 100'000;  // of one level; a source that is noise asks for any number
 
 /// A part of a triangle and what was sampled there.
 struct SampledPart {
   std::size_t triangle = 0;
-  Part part;
-  Sample sample;
+  TrianglePart part;
+  SourceSample sample;
 };
 
 /// Four children of a part with their sums.
@@ -133,20 +30,33 @@ struct Children {
   double magnitude = 0.0;
 
   /// The children agree with their parent.
-  bool confirm(const Sample& parent, double local, double global) const {
+  bool confirm(const SourceSample& parent, double local, double global) const {
     double change = 0.0;
     for (std::size_t i = 0; i < 3; ++i) change = std::max(change, std::abs(moments[i] - parent.moments[i]));
     return change <= std::max(global, local * magnitude);
   }
 };
 
-/// What all triangles together may lose by jumps that their points do not see.
-double negligible_jump(double global, std::size_t num_triangles) {
-  return 0.1 * global * static_cast<double>(num_triangles);
+/// How closely each triangle is looked at.
+struct LoadTolerance {
+  double local = 0.0;       // of a part's own integral of |f|
+  double global = 0.0;      // of the mean integral of |f| over a triangle
+  double negligible = 0.0;  // what all triangles together may lose by jumps that their points do not see
+  int min_depth = 0;
+
+  bool sees_corners() const { return min_depth > 0; }
+};
+
+LoadTolerance tolerance_for(const std::vector<SourceSample>& samples, const LoadAccuracy& accuracy) {
+  double magnitude = 0.0;
+  for (const SourceSample& sample : samples) magnitude += sample.magnitude;
+  const auto n = static_cast<double>(samples.size());
+  const double global = accuracy.tolerance * magnitude / n;
+  return {accuracy.tolerance, global, 0.1 * global * n, accuracy.min_depth};
 }
 
 /// The corners of a part see a jump that its points do not, and what that can cost is not negligible.
-bool hides_jump(const Sample& sample, double negligible) {
+bool hides_jump(const SourceSample& sample, double negligible) {
   return sample.corner_spread > std::max(3.0 * sample.spread, negligible);
 }
 
@@ -155,7 +65,7 @@ Children children_of(const Mesh& mesh, const Problem& problem, const SampledPart
   const P1Element element = p1_element(mesh, static_cast<int>(t));
   const ElementSource source(problem, element, mesh.regions[t], with_corners);
   Children children;
-  const std::array<Part, 4> parts = subdivide(parent.part);
+  const std::array<TrianglePart, 4> parts = subdivide(parent.part);
   for (std::size_t k = 0; k < 4; ++k) {
     children.parts[k] = {t, parts[k], source.sample(parts[k])};
     children.magnitude += children.parts[k].sample.magnitude;
@@ -172,19 +82,19 @@ void add(const SourceMoments& part, SourceMoments& sum) {
 /// one, which halves with each level because a layer meets twice as many parts. result: the moments of the triangles
 /// that are not open; returned with all.
 std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open,
-                                  const LoadAccuracy& accuracy, double global, std::vector<SourceMoments> result) {
-  const bool with_corners = accuracy.min_depth > 0;
-  const double negligible = negligible_jump(global, result.size());
-  for (int depth = 1; depth <= MaxDepth && 4 * open.size() <= MaxParts + result.size(); ++depth) {
+                                  const LoadTolerance& tolerance, std::vector<SourceMoments> result) {
+  for (int depth = 1; depth <= max_depth && 4 * open.size() <= max_parts + result.size(); ++depth) {
     const std::vector<SampledPart> parents = std::exchange(open, {});
     std::vector<Children> families(parents.size());
-    for_each_in_parallel(parents.size(),
-                         [&](std::size_t k) { families[k] = children_of(mesh, problem, parents[k], with_corners); });
+    for_each_in_parallel(parents.size(), [&](std::size_t k) {
+      families[k] = children_of(mesh, problem, parents[k], tolerance.sees_corners());
+    });
     for (std::size_t k = 0; k < parents.size(); ++k) {
       const SampledPart& parent = parents[k];
       const Children& children = families[k];
-      const bool is_confirmed = children.confirm(parent.sample, accuracy.tolerance, std::ldexp(global, 1 - depth));
-      if (is_confirmed && depth > accuracy.min_depth && !hides_jump(parent.sample, negligible)) {
+      const bool is_confirmed =
+          children.confirm(parent.sample, tolerance.local, std::ldexp(tolerance.global, 1 - depth));
+      if (is_confirmed && depth > tolerance.min_depth && !hides_jump(parent.sample, tolerance.negligible)) {
         add(children.moments, result[parent.triangle]);
       } else {
         open.insert(open.end(), children.parts.begin(), children.parts.end());
@@ -196,21 +106,20 @@ std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std:
 }
 
 /// The orbits differ; for functions that jump also: the points do, or the corners differ from all of them.
-bool is_rough(const Sample& sample, const LoadAccuracy& accuracy, double global, double negligible) {
-  if (sample.orbit_error > std::max(global, OrbitFactor * accuracy.tolerance * sample.magnitude)) return true;
-  if (accuracy.min_depth == 0) return false;
-  return sample.spread > std::max(global, 0.5 * sample.magnitude) || hides_jump(sample, negligible);
+bool is_rough(const SourceSample& sample, const LoadTolerance& tolerance) {
+  if (sample.orbit_error > std::max(tolerance.global, orbit_factor * tolerance.local * sample.magnitude)) return true;
+  if (!tolerance.sees_corners()) return false;
+  return sample.spread > std::max(tolerance.global, 0.5 * sample.magnitude) || hides_jump(sample, tolerance.negligible);
 }
 
 /// 1 for the triangles whose orbits differ and for those that share an edge (or a vertex) with one: where a layer
 /// crosses triangles that do not resolve it, the orbits of a few agree by chance.
-std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sample>& samples,
-                                       const LoadAccuracy& accuracy, double global) {
-  const double negligible = negligible_jump(global, samples.size());
-  const std::ptrdiff_t shared = accuracy.min_depth > 0 ? 1 : 2;
+std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<SourceSample>& samples,
+                                       const LoadTolerance& tolerance) {
+  const std::ptrdiff_t shared = tolerance.sees_corners() ? 1 : 2;
   std::vector<char> rough_vertex(static_cast<std::size_t>(mesh.num_vertices()), 0);
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    if (!is_rough(samples[t], accuracy, global, negligible)) continue;
+    if (!is_rough(samples[t], tolerance)) continue;
     for (const int v : mesh.triangles[t]) rough_vertex[static_cast<std::size_t>(v)] = 1;
   }
   std::vector<char> result(samples.size());
@@ -226,15 +135,13 @@ std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sampl
 
 std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem, const LoadAccuracy& accuracy) {
   if (!problem.source && !uses_divergence_form(problem)) return {};
-  std::vector<Sample> samples(mesh.triangles.size());
+  std::vector<SourceSample> samples(mesh.triangles.size());
   for_each_in_parallel(samples.size(), [&](std::size_t t) {
     const P1Element element = p1_element(mesh, static_cast<int>(t));
     samples[t] = ElementSource(problem, element, mesh.regions[t], accuracy.min_depth > 0).sample({});
   });
-  double magnitude = 0.0;
-  for (const Sample& sample : samples) magnitude += sample.magnitude;
-  const double global = accuracy.tolerance * magnitude / static_cast<double>(samples.size());
-  const std::vector<char> suspected = near_rough_triangles(mesh, samples, accuracy, global);
+  const LoadTolerance tolerance = tolerance_for(samples, accuracy);
+  const std::vector<char> suspected = near_rough_triangles(mesh, samples, tolerance);
   std::vector<SourceMoments> result(samples.size());
   std::vector<SampledPart> open;
   for (std::size_t t = 0; t < samples.size(); ++t) {
@@ -244,7 +151,7 @@ std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& probl
       result[t] = samples[t].moments;
     }
   }
-  return refine(mesh, problem, std::move(open), accuracy, global, std::move(result));
+  return refine(mesh, problem, std::move(open), tolerance, std::move(result));
 }
 
 }  // namespace parmesan

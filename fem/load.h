@@ -1,14 +1,11 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "fem/element_source.h"
 #include "fem/problem.h"
 
 namespace parmesan {
-
-/// Integrals of f phi_0, f phi_1, f phi_2 over a triangle; with the divergence form, of r phi_i + q.grad phi_i.
-using SourceMoments = std::array<double, 3>;
 
 /// How closely loads are integrated.
 struct LoadAccuracy {

@@ -8,8 +8,8 @@ namespace parmesan {
 
 namespace {
 
-constexpr int CoarsestSize = 1000;
-constexpr double Strength = 0.08;  // of a coupling on the finest level, halved on each coarser one
+constexpr int coarsest_size = 1000;
+constexpr double finest_strength = 0.08;  // of a coupling on the finest level, halved on each coarser one
 
 /// The entries of one row.
 struct Row {
@@ -127,8 +127,8 @@ void relax_row(const RowMatrix& matrix, const Eigen::VectorXd& b, int i, Eigen::
 AggregationMultigrid& AggregationMultigrid::compute(const RowMatrix& matrix) {
   levels_.clear();
   RowMatrix current = matrix;
-  double strength = Strength;
-  while (current.rows() > CoarsestSize) {
+  double strength = finest_strength;
+  while (current.rows() > coarsest_size) {
     const RowMatrix filtered = filter(current, strength);
     const Aggregates aggregates = aggregate(filtered);
     if (aggregates.count == 0 || 10L * aggregates.count > 9 * current.rows()) break;

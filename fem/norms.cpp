@@ -16,12 +16,12 @@ namespace parmesan {
 
 namespace {
 
-constexpr double Tolerance = 1e-3;         // of the mean integral per triangle
-constexpr int MaxLevels = 14;              // of the subdivision
-constexpr std::size_t MaxOpen = 40'000;    // of one level; a line on which the gradient is infinite asks for any number
-constexpr double MaxDoubt = 1e-3;          // of the integrals over the mesh: what rules may disagree on in all
-constexpr int SkipDegree10Above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
-constexpr std::size_t NumPeaks = 256;      // triangles whose largest error is searched for
+constexpr double tolerance = 1e-3;        // of the mean integral per triangle
+constexpr int max_levels = 14;            // of the subdivision
+constexpr std::size_t max_open = 40'000;  // of one level; a line on which the gradient is infinite asks for any number
+constexpr double max_doubt = 1e-3;        // of the integrals over the mesh: what rules may disagree on in all
+constexpr int skip_degree10_above = 20'000;  // triangles: degree 6 is enough where degree 4 confirms it
+constexpr std::size_t num_peaks = 256;       // triangles whose largest error is searched for
 
 /// Integrals of |e|, e^2 and |grad e|^2 over a triangle or a part of one, and the largest |e|.
 struct Integrals {
@@ -105,7 +105,7 @@ class CheckedQuadrature {
  public:
   /// mean: what a triangle contributes in the mean, to which tolerances refer.
   CheckedQuadrature(const Integrals& mean, bool skip_degree10)
-      : l2_tolerance_(Tolerance * mean.l2), h1_tolerance_(Tolerance * mean.h1), skip_degree10_(skip_degree10) {}
+      : l2_tolerance_(tolerance * mean.l2), h1_tolerance_(tolerance * mean.h1), skip_degree10_(skip_degree10) {}
 
   /// The integrals over a part. The tolerance halves with each level, because a line on which the
   /// error is not smooth meets twice as many parts.
@@ -143,14 +143,14 @@ struct OpenTriangle {
 /// Whether all that is open is too little to matter.
 bool is_negligible(const std::vector<OpenTriangle>& open, Integrals sum) {
   for (const OpenTriangle& part : open) sum.add(part.estimate.integrals);
-  return sum.l2_doubt <= MaxDoubt * sum.l2 && sum.h1_doubt <= MaxDoubt * sum.h1;
+  return sum.l2_doubt <= max_doubt * sum.l2 && sum.h1_doubt <= max_doubt * sum.h1;
 }
 
 /// The triangles in which the error was seen to be largest.
 std::vector<std::size_t> peaks(const std::vector<double>& largest) {
   std::vector<std::size_t> order(largest.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t count = std::min(NumPeaks, order.size());
+  const std::size_t count = std::min(num_peaks, order.size());
   const auto before = [&largest](std::size_t a, std::size_t b) {
     return largest[a] > largest[b] || (largest[a] == largest[b] && a < b);
   };
@@ -195,7 +195,7 @@ class MeshError {
       const P1Element element = p1_element(mesh_, static_cast<int>(t));
       visit(t, element.p, element.area, 0);
     }
-    for (int depth = 1; depth <= MaxLevels && 4 * open.size() <= MaxOpen + largest.size(); ++depth) {
+    for (int depth = 1; depth <= max_levels && 4 * open.size() <= max_open + largest.size(); ++depth) {
       if (is_negligible(open, sum)) break;
       for (const OpenTriangle& parent : std::exchange(open, {})) {
         for (const Corners& child : subdivide(parent.corners)) visit(parent.triangle, child, 0.25 * parent.area, depth);
@@ -235,7 +235,7 @@ ErrorNorms error_norms(const Mesh& mesh, std::span<const double> values, const E
                      std::to_string(mesh.points.size()) + " vertices");
   }
   const MeshError error(mesh, values, exact);
-  const CheckedQuadrature quadrature(error.mean(), mesh.num_triangles() > SkipDegree10Above);
+  const CheckedQuadrature quadrature(error.mean(), mesh.num_triangles() > skip_degree10_above);
   const Integrals sum = error.integrate(quadrature);
   const double h1 = exact.gradient ? std::sqrt(sum.h1) : std::numeric_limits<double>::quiet_NaN();
   return {.l1 = sum.l1,

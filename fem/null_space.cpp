@@ -5,6 +5,7 @@
 
 #include "fem/adjacency.h"
 #include "fem/coefficients.h"
+#include "fem/linear_solver.h"
 #include "fem/reduction.h"
 #include "mesher/number_text.h"
 
@@ -12,7 +13,7 @@ namespace parmesan {
 
 namespace {
 
-constexpr double MaxMismatch = 5e-3;
+constexpr double max_mismatch = 5e-3;
 
 /// Everything fixed at 0 but the vertices of the components.
 FixedVertices all_but(const NullSpace& null_space, std::size_t num_vertices) {
@@ -118,7 +119,7 @@ double balance_load(const Mesh& mesh, const NullSpace& null_space, AssembledSyst
       mismatch += w[v] * system.load[v];
       magnitude += std::abs(w[v] * system.load[v]);
     }
-    if (std::abs(mismatch) > MaxMismatch * magnitude) refuse(mesh, component, mismatch, magnitude);
+    if (std::abs(mismatch) > max_mismatch * magnitude) refuse(mesh, component, mismatch, magnitude);
     if (magnitude > 0.0) worst = std::max(worst, std::abs(mismatch) / magnitude);
   }
   remove_imbalance(null_space, system, system.load);

@@ -4,7 +4,6 @@
 
 #include "fem/assembly.h"
 #include "fem/boundary_conditions.h"
-#include "fem/linear_solver.h"
 
 namespace parmesan {
 

@@ -4,7 +4,7 @@ namespace parmesan {
 
 namespace {
 
-constexpr std::size_t MinPoints = 9;
+constexpr std::size_t min_points = 9;
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
@@ -33,7 +33,7 @@ std::vector<PatchFit> fit_patches(const Mesh& mesh, std::span<const double> valu
   std::vector<PatchFit> fits;
   fits.reserve(mesh.points.size());
   for (int v = 0; v < mesh.num_vertices(); ++v) {
-    const Vector6 p = fit_on_patch<6>(patch, v, MinPoints, assemble);
+    const Vector6 p = fit_on_patch<6>(patch, v, min_points, assemble);
     fits.push_back(unscaled({p[1], p[2]}, {p[3], p[4], p[5]}, scaling));
   }
   return fits;

@@ -10,7 +10,7 @@ namespace parmesan {
 
 namespace {
 
-constexpr double Rounding = 1e-12;
+constexpr double rounding = 1e-12;
 
 struct Box {
   Point low, high;
@@ -48,7 +48,7 @@ std::vector<std::vector<TrianglePlace>> triangles_at_each(const Mesh& mesh, std:
       const Point& point = points[*k];
       if (point.y < near.low.y || point.y > near.high.y) continue;
       const Barycentric lambda = coordinates_in(mesh, t, point);
-      if (*std::ranges::min_element(lambda) >= -Rounding) places[*k].push_back({t, lambda});
+      if (*std::ranges::min_element(lambda) >= -rounding) places[*k].push_back({t, lambda});
     }
   }
   return places;

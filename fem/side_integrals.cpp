@@ -1,7 +1,6 @@
 #include "fem/side_integrals.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fem/coefficients.h"
@@ -11,8 +10,8 @@ namespace parmesan {
 
 namespace {
 
-constexpr double Tolerance = 1e-5;  // of the integral of |g|
-constexpr int MaxDepth = 12;
+constexpr double tolerance = 1e-5;  // of the integral of |g|
+constexpr int max_depth = 12;
 
 const std::vector<SegmentPoint>& gauss4() {
   static const std::vector<SegmentPoint> rule = gauss_rule(4);
@@ -50,7 +49,7 @@ class SideFunction {
     SideMoments right = moments(middle, t1);
     const double change = std::max(std::abs(left.from + right.from - whole.from),  //
                                    std::abs(left.to + right.to - whole.to));
-    if (depth < MaxDepth && change > Tolerance * (left.magnitude + right.magnitude)) {
+    if (depth < max_depth && change > tolerance * (left.magnitude + right.magnitude)) {
       left = refined(t0, middle, left, depth + 1);
       right = refined(middle, t1, right, depth + 1);
     }

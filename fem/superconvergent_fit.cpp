@@ -1,12 +1,10 @@
 #include "fem/superconvergent_fit.h"
 
-#include <cmath>
-
 namespace parmesan {
 
 namespace {
 
-constexpr std::size_t MinEdges = 9;
+constexpr std::size_t min_edges = 9;
 
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 
@@ -41,7 +39,7 @@ std::vector<PatchFit> fit_edges(const Mesh& mesh, std::span<const double> values
   std::vector<PatchFit> fits;
   fits.reserve(mesh.points.size());
   for (int v = 0; v < mesh.num_vertices(); ++v) {
-    const Vector5 p = fit_on_patch<5>(patch, v, MinEdges, assemble);
+    const Vector5 p = fit_on_patch<5>(patch, v, min_edges, assemble);
     fits.push_back(unscaled({p[0], p[1]}, {p[2], p[3], p[4]}, scaling));
   }
   return fits;

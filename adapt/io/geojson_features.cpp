@@ -1,6 +1,5 @@
 #include "adapt/io/geojson_features.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 

@@ -24,7 +24,7 @@ Measured measured(const Mesh& mesh, const Problem& problem, const GoalFunctional
   double value = value_of(functional_vector(mesh, goal), solution.values);
   for (const int label : goal.fluxes) value += solution.fluxes.at(label);
   const std::vector<double> dual = solve_dual(mesh, problem, goal);
-  return {exact - value, estimate_goal_error(mesh, problem, goal, solution.values, solution.residual, dual)};
+  return {exact - value, estimate_goal_error(mesh, problem, goal, {solution.values, solution.residual, dual})};
 }
 
 BoundaryCondition flux_of_wave(double k) {

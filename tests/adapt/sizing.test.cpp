@@ -26,14 +26,15 @@ std::optional<StopReason> go_on(std::vector<SizeStep>& history, const SizeGoal& 
 }  // namespace
 
 TEST_CASE("predicted_vertices inverts error = c N^-order", "[adapt][sizing]") {
-  CHECK(predicted_vertices(1000, 8e-3, 1e-3, 1.0) == Approx(8000.0));
-  CHECK(predicted_vertices(1000, 8e-3, 1e-3, 0.5) == Approx(64000.0));
-  CHECK(predicted_vertices(1000, 1e-3, 1e-3, 1.0) == Approx(1000.0));
+  CHECK(predicted_vertices(1000, 8e-3, 1e-3, 1.0) == Approx(8000.0).epsilon(1e-12));
+  CHECK(predicted_vertices(1000, 8e-3, 1e-3, 0.5) == Approx(64000.0).epsilon(1e-12));
+  CHECK(predicted_vertices(1000, 1e-3, 1e-3, 1.0) == Approx(1000.0).epsilon(1e-12));
 }
 
 TEST_CASE("observed_order is that between the last passes of two sizes, in bounds", "[adapt][sizing]") {
   CHECK(observed_order(std::vector<SizeStep>{{400, 400, 1.0}}) == 1.0);
-  CHECK(observed_order(std::vector<SizeStep>{{400, 400, 9.0}, {400, 400, 1.0}, {1600, 1600, 0.5}}) == Approx(0.75));
+  CHECK(observed_order(std::vector<SizeStep>{{400, 400, 9.0}, {400, 400, 1.0}, {1600, 1600, 0.5}}) ==
+        Approx(0.75).epsilon(1e-12));
   CHECK(observed_order(std::vector<SizeStep>{{400, 400, 1.0}, {1600, 1600, 0.01}}) == 1.1);
   CHECK(observed_order(std::vector<SizeStep>{{400, 400, 1.0}, {1600, 1600, 4.0}}) == 0.4);
 }
@@ -122,7 +123,7 @@ TEST_CASE("next_size lands on an error target with a few per cent to spare", "[a
   std::vector<SizeStep> history{{1000, 1000, 8}, {1000, 1000, 8}, {1000, 1000, 8}, {4000, 4000, 2}};
   SizeDecision d = next_size(history, to_error);
   CHECK_FALSE(d.stop.has_value());
-  CHECK(d.asked == Approx(6000.0));  // from below first
+  CHECK(d.asked == Approx(6000.0).epsilon(1e-12));  // from below first
   history.push_back({6000, 6000, 8.0 / 6.0});
   d = next_size(history, to_error);
   CHECK(d.asked > 8000.0);

@@ -97,11 +97,7 @@ TEST_CASE("the flux through a Dirichlet side converges with order 2", "[fem][flu
 }
 
 TEST_CASE("the flux into an interior constraint comes from both sides", "[fem][flux]") {
-  Mesh mesh = rectangle_mesh(4, 4);
-  for (int j = 0; j < 4; ++j) {  // the line x = 1/2, label 9
-    mesh.edges.push_back({5 * j + 2, 5 * (j + 1) + 2});
-    mesh.labels.push_back(9);
-  }
+  const Mesh mesh = square_with_middle_line(9);
   Problem problem = unit_poisson();
   problem.source = {};
   problem.boundary[Bottom] = problem.boundary[Top] = neumann({});

@@ -31,6 +31,16 @@ inline BoundaryCondition robin(BoundaryData coefficient, BoundaryData value) {
   return {BoundaryKind::Robin, std::move(value), std::move(coefficient)};
 }
 
+/// The unit square with 4 x 4 cells and an interior constraint of this label along x = 1/2.
+inline Mesh square_with_middle_line(int label) {
+  Mesh mesh = rectangle_mesh(4, 4);
+  for (int j = 0; j < 4; ++j) {
+    mesh.edges.push_back({5 * j + 2, 5 * (j + 1) + 2});
+    mesh.labels.push_back(label);
+  }
+  return mesh;
+}
+
 /// Dirichlet data of u on the four sides of a rectangle.
 inline std::map<int, BoundaryCondition> dirichlet_everywhere(double (*u)(const Point&)) {
   const BoundaryCondition condition = dirichlet([u](const Point& p, const Vector&, int) { return u(p); });

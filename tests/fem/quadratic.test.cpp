@@ -31,7 +31,7 @@ TEST_CASE("the surplus of a cubic is what it has above the mean in the middle of
       const Point& b = mesh.points[static_cast<std::size_t>(mesh.triangles[t][(i + 2) % 3])];
       const double above = cubic(midpoint(a, b)) - 0.5 * (cubic(a) + cubic(b));
       CHECK(std::abs(s[t][i]) <= std::abs(above) + 1e-14);
-      if (std::abs(above) > 0.01) CHECK(s[t][i] == Approx(above));
+      if (std::abs(above) > 0.01) CHECK(s[t][i] == Approx(above).epsilon(1e-12));
     }
   }
 }
@@ -48,7 +48,7 @@ TEST_CASE("a surplus that one end alone knows of is bounded by the other's", "[f
   for (std::size_t v = 1; v < 4; ++v) g[v] = {-10, 0};  // 2.5 by these ends
   double largest = 0.0;
   for (const Surplus& s : surpluses(mesh, values, g)) largest = std::max({largest, s[0], s[1], s[2]});
-  CHECK(largest == Approx(7.5));
+  CHECK(largest == Approx(7.5).epsilon(1e-12));
 }
 
 TEST_CASE("a quadratic's gradient and diffusion are those of differences", "[fem][quadratic]") {
@@ -65,8 +65,8 @@ TEST_CASE("a quadratic's gradient and diffusion are those of differences", "[fem
   const Point c = element.at({1.0 / 3, 1.0 / 3, 1.0 / 3});
   const double h = 1e-3;
   const Vector gradient = q.gradient(element, {1.0 / 3, 1.0 / 3, 1.0 / 3});
-  CHECK(gradient.x == Approx((at(c.x + h, c.y) - at(c.x - h, c.y)) / (2 * h)));
-  CHECK(gradient.y == Approx((at(c.x, c.y + h) - at(c.x, c.y - h)) / (2 * h)));
+  CHECK(gradient.x == Approx((at(c.x + h, c.y) - at(c.x - h, c.y)) / (2 * h)).epsilon(1e-12));
+  CHECK(gradient.y == Approx((at(c.x, c.y + h) - at(c.x, c.y - h)) / (2 * h)).epsilon(1e-12));
   const double xx = (at(c.x + h, c.y) - 2 * at(c.x, c.y) + at(c.x - h, c.y)) / (h * h);
   const double yy = (at(c.x, c.y + h) - 2 * at(c.x, c.y) + at(c.x, c.y - h)) / (h * h);
   const double xy =
@@ -75,7 +75,7 @@ TEST_CASE("a quadratic's gradient and diffusion are those of differences", "[fem
   CHECK(diffused(element, {3, -1}, q, [&k](const Point&) { return k; }) == Approx(expected).epsilon(1e-6));
   // K that varies, of a linear function: d/dx (3 K_xx - K_xy) + d/dy (3 K_xy - K_yy).
   const auto varying = [](const Point& p) { return Diffusion{1 + 2 * p.x, 0.5 * p.y, 3 - p.y}; };
-  CHECK(diffused(element, {3, -1}, Quadratic{}, varying) == Approx(6 - 0 + 1.5 + 1));
+  CHECK(diffused(element, {3, -1}, Quadratic{}, varying) == Approx(6 - 0 + 1.5 + 1).epsilon(1e-12));
 }
 
 }  // namespace parmesan

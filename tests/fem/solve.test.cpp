@@ -114,11 +114,7 @@ TEST_CASE("labels and conditions must match", "[fem][solve][errors]") {
 }
 
 TEST_CASE("interior constraints need no condition, and may have a Dirichlet one", "[fem][solve]") {
-  Mesh mesh = rectangle_mesh(4, 4);
-  for (int j = 0; j < 4; ++j) {  // the line x = 1/2, label 9
-    mesh.edges.push_back({5 * j + 2, 5 * (j + 1) + 2});
-    mesh.labels.push_back(9);
-  }
+  const Mesh mesh = square_with_middle_line(9);
   Problem problem = unit_poisson();
   problem.source = {};
   problem.boundary[Bottom] = problem.boundary[Top] = neumann({});

@@ -6,15 +6,16 @@
 #include "mesher/io/medit.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/system/program.h"
+#include "tests/system/square_poly.h"
 
 using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
 using parmesan::support::run_program;
+using parmesan::support::square_poly;
 using parmesan::support::TemporaryFolder;
 
 namespace {
 
-const std::string square_poly = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n";
 const std::string bow_tie_poly = "4 2 0 0\n1 0 0\n2 1 1\n3 1 0\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n";
 
 // A unit square of two triangles whose metric asks for the size 0.1 along x and 0.02 along y.

@@ -4,11 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/system/program.h"
+#include "tests/system/square_poly.h"
 
 using parmesan::support::content_of;
 using parmesan::support::is_installed;
 using parmesan::support::ProgramResult;
 using parmesan::support::run_other;
+using parmesan::support::square_poly;
 using parmesan::support::TemporaryFolder;
 
 // The program among other processes: closed outputs, full disks, signals, locks and bare environments. In the scripts
@@ -21,8 +23,6 @@ const std::string layer = R"json({
   "targets": {"vertices": 200, "max_iterations": 2}, "mesher": {"preset": "fast"},
   "output": {"formats": ["vtu", "mesh", "svg", "png"]}
 })json";
-
-const std::string square_poly = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n";
 
 ProgramResult run_script(const TemporaryFolder& folder, const std::string& script) {
   return run_other("sh", {"-c", script, "sh", PARMESAN_PROGRAM}, folder.path());

@@ -2,17 +2,13 @@
 #include <filesystem>
 
 #include "tests/system/program.h"
+#include "tests/system/square_poly.h"
 
 using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
 using parmesan::support::run_program;
+using parmesan::support::square_poly;
 using parmesan::support::TemporaryFolder;
-
-namespace {
-
-const std::string square_poly = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n";
-
-}  // namespace
 
 TEST_CASE("mesh --schedule thesis says how it went, and its parameters change the mesh", "[system][mesh][thesis]") {
   const TemporaryFolder folder;
