@@ -6,7 +6,6 @@
 #include <limits>
 #include <locale>
 #include <sstream>
-#include <utility>
 
 #include "mesher/edge_finder.h"
 #include "mesher/errors.h"

@@ -1,7 +1,6 @@
 #include "mesher/geometry/curve_crossings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
