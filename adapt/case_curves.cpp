@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "adapt/number_text.h"
+#include "mesher/geometry/arcs.h"
 #include "mesher/geometry/cubic_spline.h"
 #include "mesher/geometry/spline.h"
 

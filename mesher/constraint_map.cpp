@@ -1,8 +1,6 @@
 #include "mesher/constraint_map.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "mesher/geometry/isolated_points.h"

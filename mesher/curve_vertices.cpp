@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "mesher/edge_finder.h"
 #include "mesher/errors.h"

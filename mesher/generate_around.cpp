@@ -1,6 +1,5 @@
 #include "mesher/generate_around.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <set>

@@ -1,7 +1,6 @@
 #include "mesher/operands.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 

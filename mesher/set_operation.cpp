@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "mesher/disjoint_sets.h"
-#include "mesher/errors.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/index.h"

@@ -1,7 +1,6 @@
 #include "mesher/geometry/curve_crossings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -20,24 +19,43 @@ constexpr double near_end = 1e-9;  // of a curve's extent
 constexpr double chord_share = 1e-6;
 constexpr double least_angle = 1e-6;  // at which segments cross and do not touch
 
-void halve_between(const Curve& curve, double t0, double t1, double tolerance, int depth, std::vector<double>& found) {
-  constexpr double max_turn = std::numbers::pi / 18.0;
-  constexpr int max_depth = 30;
-  const Point a = curve.at(t0);
-  const Point b = curve.at(t1);
-  const auto is_near = [&](double share) {
-    const Vector offset = curve.at(t0 + share * (t1 - t0)) - a;
-    return std::abs(cross(b - a, offset)) <= tolerance * norm(b - a);
-  };
-  const bool is_fine = curve.turn(t0, t1) <= max_turn && is_near(0.25) && is_near(0.5) && is_near(0.75);
-  if (is_fine || depth == max_depth) {
-    found.push_back(t1);
-    return;
+/// Halves a curve until its chords turn by 10 degrees at most and are within the tolerance.
+class ChordHalving {
+ public:
+  ChordHalving(const Curve& curve, double tolerance) : curve_(curve), tolerance_(tolerance) {
+    halve_between(0.0, 1.0, 0);
   }
-  const double middle = 0.5 * (t0 + t1);
-  halve_between(curve, t0, middle, tolerance, depth + 1, found);
-  halve_between(curve, middle, t1, tolerance, depth + 1, found);
-}
+
+  /// The ends of the chords, from 0 to 1.
+  std::vector<double> take() { return std::move(found_); }
+
+ private:
+  bool is_fine(double t0, double t1) const {
+    constexpr double max_turn = std::numbers::pi / 18.0;
+    const Point a = curve_.at(t0);
+    const Point b = curve_.at(t1);
+    const auto is_near = [&](double share) {
+      const Vector offset = curve_.at(t0 + share * (t1 - t0)) - a;
+      return std::abs(cross(b - a, offset)) <= tolerance_ * norm(b - a);
+    };
+    return curve_.turn(t0, t1) <= max_turn && is_near(0.25) && is_near(0.5) && is_near(0.75);
+  }
+
+  void halve_between(double t0, double t1, int depth) {
+    constexpr int max_depth = 30;
+    if (depth == max_depth || is_fine(t0, t1)) {
+      found_.push_back(t1);
+      return;
+    }
+    const double middle = 0.5 * (t0 + t1);
+    halve_between(t0, middle, depth + 1);
+    halve_between(middle, t1, depth + 1);
+  }
+
+  const Curve& curve_;
+  double tolerance_;
+  std::vector<double> found_{0.0};
+};
 
 /// The segments as chains of chords, and the segment that each chord is of. The chords' ends come after the points.
 struct Chains {
@@ -185,9 +203,7 @@ bool ends_at(const Domain& domain, int segment, const Point& p) {
 }  // namespace
 
 std::vector<double> chord_parameters(const Curve& curve, double share) {
-  std::vector<double> parameters{0.0};
-  halve_between(curve, 0.0, 1.0, share * curve.extent(), 0, parameters);
-  return parameters;
+  return ChordHalving(curve, share * curve.extent()).take();
 }
 
 std::vector<Crossing> curve_crossings(const Domain& domain) {

@@ -1,14 +1,12 @@
 #include "mesher/geometry/outline.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/geometry/chord_polygon.h"
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/geometry/segment_tree.h"
@@ -19,104 +17,47 @@ namespace {
 
 constexpr int arcs_per_chord = 8;  // by which an arc is told from its chord
 
-/// A straight segment, or the chord of a curved one from t0 to t1.
-struct Chord {
-  int segment;
-  double t0 = 0.0;
-  double t1 = 1.0;
-};
-
-/// The domain of the chords, and the chord that each of its segments and points belongs to.
-struct Polygon {
-  Domain domain;
-  std::vector<int> chords;  // of each segment
-};
-
 class ChordSearch {
  public:
-  explicit ChordSearch(const Domain& domain) : domain_(domain), frame_(domain) {
-    frame_.segments.clear();
-    frame_.curves.clear();
-    for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) cut(s, 0.0, 1.0);
-    size_ = bounding_diagonal(points_around(domain));
-  }
+  explicit ChordSearch(const Domain& domain)
+      : domain_(domain), size_(bounding_diagonal(points_around(domain))), chords_(domain) {}
 
   OutlineResult run();
 
  private:
-  void cut(int segment, double t0, double t1);
-  const Segment& segment(int chord) const { return domain_.segments[at(chords_[at(chord)].segment)]; }
+  const Segment& segment(int chord) const { return domain_.segments[at(chords_[chord].segment)]; }
   bool is_straight(int chord) const { return segment(chord).is_straight(); }
-  Polygon polygon(int parts) const;
-  bool is_between(const Chord& chord, const Point& a, const Point& b, const Point& p) const;
-  void find_crossings(const Polygon& polygon);
-  void find_equal(const Polygon& polygon);
-  void find_enclosed(const Polygon& polygon);
-  void find_thin(const Polygon& coarse, const Polygon& fine);
+  bool is_between(const SegmentChord& chord, const Point& a, const Point& b, const Point& p) const;
+  void find_crossings(const ChordPolygon& polygon);
+  void find_equal(const ChordPolygon& polygon);
+  void find_enclosed(const ChordPolygon& polygon);
+  void find_thin(const ChordPolygon& coarse, const ChordPolygon& fine);
   void must_halve(int chord, int other, const Point& place);
-  void halve();
 
   const Domain& domain_;
-  Domain frame_;  // without segments and curves
-  double size_ = 0.0;
-  std::vector<Chord> chords_;
+  double size_;
+  SegmentChords chords_;
   std::vector<char> to_halve_;
   bool any_ = false;
   std::optional<CurveConflict> conflict_;
   CurveConflict last_;
 };
 
-void ChordSearch::cut(int segment, double t0, double t1) {
-  constexpr double max_turn = std::numbers::pi / 6.0;
-  const Segment& s = domain_.segments[at(segment)];
-  if (s.is_straight() || domain_.curves[at(s.curve)].turn(t0, t1) <= max_turn) {
-    chords_.push_back({segment, t0, t1});
-    return;
-  }
-  const double middle = 0.5 * (t0 + t1);
-  cut(segment, t0, middle);
-  cut(segment, middle, t1);
-}
-
-// Each chord of a curve in so many parts of the parameter.
-Polygon ChordSearch::polygon(int parts) const {
-  Polygon result{.domain = frame_, .chords = {}};
-  int from = 0;
-  for (int c = 0; c < static_cast<int>(chords_.size()); ++c) {
-    const Chord& chord = chords_[at(c)];
-    const Segment& s = domain_.segments[at(chord.segment)];
-    const int n = s.is_straight() ? 1 : parts;
-    if (chord.t0 == 0.0) from = s.a;
-    for (int i = 1; i <= n; ++i) {
-      const double t = i == n ? chord.t1 : chord.t0 + (chord.t1 - chord.t0) * i / n;
-      int to = s.b;
-      if (t < 1.0) {
-        to = static_cast<int>(result.domain.points.size());
-        result.domain.points.push_back(point_on(domain_, s, t));
-      }
-      result.domain.segments.push_back({from, to, s.label});
-      result.chords.push_back(c);
-      from = to;
-    }
-  }
-  return result;
-}
-
 // What cannot be told apart by halving is a conflict.
 void ChordSearch::must_halve(int chord, int other, const Point& place) {
   constexpr double smallest = 1e-10;
   if (is_straight(chord)) return;
-  const Chord& c = chords_[at(chord)];
+  const SegmentChord& c = chords_[chord];
   const Point a = point_on(domain_, segment(chord), c.t0);
   const Point b = point_on(domain_, segment(chord), c.t1);
-  last_ = {c.segment, chords_[at(other)].segment, place};
+  last_ = {c.segment, chords_[other].segment, place};
   if (norm(b - a) <= smallest * size_) conflict_ = last_;
   to_halve_[at(chord)] = 1;
   any_ = true;
 }
 
 // Crossings, and points of one chord on another.
-void ChordSearch::find_crossings(const Polygon& polygon) {
+void ChordSearch::find_crossings(const ChordPolygon& polygon) {
   const std::vector<Point>& points = polygon.domain.points;
   const std::vector<Segment>& segments = polygon.domain.segments;
   for (const auto& [s, t] : segment_crossings(points, segments)) {
@@ -133,14 +74,13 @@ void ChordSearch::find_crossings(const Polygon& polygon) {
   for (const auto& [s, p] : points_inside_segments(points, segments)) {
     const int c = polygon.chords[at(s)];
     const int d = chord_at[at(p)];
-    if (is_straight(c) && d >= 0)
-      conflict_ = CurveConflict{chords_[at(c)].segment, chords_[at(d)].segment, points[at(p)]};
+    if (is_straight(c) && d >= 0) conflict_ = CurveConflict{chords_[c].segment, chords_[d].segment, points[at(p)]};
     must_halve(c, d < 0 ? c : d, points[at(p)]);
   }
 }
 
 // Chords between the same two points.
-void ChordSearch::find_equal(const Polygon& polygon) {
+void ChordSearch::find_equal(const ChordPolygon& polygon) {
   std::map<std::pair<int, int>, int> chord_between;
   for (std::size_t s = 0; s < polygon.domain.segments.size(); ++s) {
     const Segment& segment = polygon.domain.segments[s];
@@ -153,7 +93,7 @@ void ChordSearch::find_equal(const Polygon& polygon) {
 }
 
 // Points and seeds between a chord and its arc; and points in one place.
-void ChordSearch::find_enclosed(const Polygon& polygon) {
+void ChordSearch::find_enclosed(const ChordPolygon& polygon) {
   constexpr int none = -1;
   constexpr int seed = -2;
   struct Site {
@@ -172,7 +112,7 @@ void ChordSearch::find_enclosed(const Polygon& polygon) {
     const Site& a = sites[i - 1];
     const Site& b = sites[i];
     if (a.place == b.place && a.chord >= 0 && b.chord >= 0)
-      conflict_ = CurveConflict{chords_[at(a.chord)].segment, chords_[at(b.chord)].segment, a.place};
+      conflict_ = CurveConflict{chords_[a.chord].segment, chords_[b.chord].segment, a.place};
   }
   for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) {
     const int c = polygon.chords[at(s)];
@@ -184,7 +124,7 @@ void ChordSearch::find_enclosed(const Polygon& polygon) {
                                         [](const Site& site, double x) { return site.place.x < x; });
     for (auto site = begin; site != sites.end() && site->place.x <= std::max(a.x, b.x) + reach; ++site) {
       const Point& p = site->place;
-      if (p == a || p == b || norm(p - a) > 2.0 * reach || !is_between(chords_[at(c)], a, b, p)) continue;
+      if (p == a || p == b || norm(p - a) > 2.0 * reach || !is_between(chords_[c], a, b, p)) continue;
       must_halve(c, site->chord < 0 ? c : site->chord, p);
     }
   }
@@ -192,17 +132,17 @@ void ChordSearch::find_enclosed(const Polygon& polygon) {
 
 // Chords of curves that run so near to others that a domain between their chords is much thicker than the one between
 // the curves.
-void ChordSearch::find_thin(const Polygon& coarse, const Polygon& fine) {
+void ChordSearch::find_thin(const ChordPolygon& coarse, const ChordPolygon& fine) {
   constexpr double share_of_gap = 0.25;
   const SegmentTree tree(fine.domain);
-  for (int c = 0; c < static_cast<int>(chords_.size()); ++c) {
+  for (int c = 0; c < chords_.size(); ++c) {
     if (is_straight(c)) continue;
     const Segment& s = coarse.domain.segments[at(c)];
     const auto is_apart = [&](int piece) {
       return !have_common_end(s, coarse.domain.segments[at(fine.chords[at(piece)])]);
     };
     const Curve& curve = domain_.curves[at(segment(c).curve)];
-    const auto& [whole, t0, t1] = chords_[at(c)];
+    const auto& [whole, t0, t1] = chords_[c];
     const double most = share_of_gap * tree.nearest(curve.at(0.5 * (t0 + t1)), is_apart).distance;
     if (curve.deviation(t0, t1) <= most) continue;
     to_halve_[at(c)] = 1;
@@ -211,26 +151,11 @@ void ChordSearch::find_thin(const Polygon& coarse, const Polygon& fine) {
 }
 
 // It is on one side of the chord from a to b, and on the other of the arc.
-bool ChordSearch::is_between(const Chord& chord, const Point& a, const Point& b, const Point& p) const {
+bool ChordSearch::is_between(const SegmentChord& chord, const Point& a, const Point& b, const Point& p) const {
   const Curve& curve = domain_.curves[at(domain_.segments[at(chord.segment)].curve)];
   const double t = curve.nearest(p);
   if (t <= chord.t0 || t >= chord.t1) return false;
   return (cross(b - a, p - a) > 0.0) != (cross(curve.tangent(t), p - curve.at(t)) > 0.0);
-}
-
-void ChordSearch::halve() {
-  std::vector<Chord> halved;
-  for (std::size_t c = 0; c < chords_.size(); ++c) {
-    const Chord& chord = chords_[c];
-    const double middle = 0.5 * (chord.t0 + chord.t1);
-    if (to_halve_[c] == 0) {
-      halved.push_back(chord);
-    } else {
-      halved.push_back({chord.segment, chord.t0, middle});
-      halved.push_back({chord.segment, middle, chord.t1});
-    }
-  }
-  chords_ = std::move(halved);
 }
 
 // The chords must be fit to be triangulated, and the arcs themselves must not meet.
@@ -239,25 +164,25 @@ OutlineResult ChordSearch::run() {
   // Beyond that curves run together, or so near to each other that no mesh could tell them apart.
   constexpr std::size_t max_chords = 100'000;
   constexpr std::size_t max_chords_per_segment = 100;
-  constexpr std::size_t enough_chords = 20'000;  // for what is but thin
+  constexpr int enough_chords = 20'000;  // for what is but thin
   for (int round = 0; round < max_rounds; ++round) {
-    to_halve_.assign(chords_.size(), 0);
+    to_halve_.assign(at(chords_.size()), 0);
     any_ = false;
-    const Polygon coarse = polygon(1);
+    const ChordPolygon coarse = chords_.polygon(1);
     find_equal(coarse);
     find_crossings(coarse);
     find_enclosed(coarse);
-    const Polygon fine = any_ ? Polygon{} : polygon(arcs_per_chord);
+    const ChordPolygon fine = any_ ? ChordPolygon{} : chords_.polygon(arcs_per_chord);
     if (!any_) find_crossings(fine);
     if (!any_ && chords_.size() < enough_chords) find_thin(coarse, fine);
-    if (any_ && chords_.size() > max_chords_per_segment * domain_.segments.size() + max_chords) conflict_ = last_;
+    if (any_ && at(chords_.size()) > max_chords_per_segment * domain_.segments.size() + max_chords) conflict_ = last_;
     if (conflict_) return {{}, conflict_};
     if (!any_) {
       std::vector<int> segments;
-      for (const int c : coarse.chords) segments.push_back(chords_[at(c)].segment);
+      for (const int c : coarse.chords) segments.push_back(chords_[c].segment);
       return {{coarse.domain, std::move(segments)}, std::nullopt};
     }
-    halve();
+    chords_.halve(to_halve_);
   }
   return {{}, last_};
 }

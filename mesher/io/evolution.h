@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesher/mesh.h"
-#include "mesher/particles/mesh_observer.h"
+#include "mesher/particles/particle_system.h"
 
 namespace parmesan {
 

@@ -35,13 +35,8 @@ Format format_of(const std::string& path) {
   return Format::Unknown;
 }
 
-void write_medit_data(const std::string& path, const Mesh& mesh, const MeshFields& fields, bool is_binary) {
-  if (is_binary) {
-    write_meshb(path, mesh);
-  } else {
-    write_medit(path, mesh);
-  }
-  if (!fields.empty()) write_medit_fields(with_suffix(path, is_binary ? ".solb" : ".sol"), fields);
+void write_fields_beside(const std::string& path, const char* suffix, const MeshFields& fields) {
+  if (!fields.empty()) write_medit_fields(with_suffix(path, suffix), fields);
 }
 
 /// The fields in the file of this suffix beside the mesh; none where there is no such file.
@@ -99,9 +94,11 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
   check_fields(fields, mesh);
   switch (format_of(path)) {
     case Format::Medit:
-      return write_medit_data(path, mesh, fields, false);
+      write_medit(path, mesh);
+      return write_fields_beside(path, ".sol", fields);
     case Format::BinaryMedit:
-      return write_medit_data(path, mesh, fields, true);
+      write_meshb(path, mesh);
+      return write_fields_beside(path, ".solb", fields);
     case Format::Gmsh:
       return write_msh(path, mesh, fields, options.encoding);
     case Format::Triangle:

@@ -12,8 +12,14 @@ constexpr int triangle_type = 2;
 constexpr int point_type = 15;
 
 /// read_node gives the tag of a node.
+struct ElementHead {
+  int type;
+  std::int64_t tag;
+  MshGroup group;
+};
+
 template <std::size_t N, class ReadNode>
-void read_nodes(MshInput& in, const TagMap& node_tags, std::int64_t tag, MshGroup group, const ReadNode& read_node,
+void read_nodes(MshInput& in, const TagMap& node_tags, const ElementHead& head, const ReadNode& read_node,
                 MshElements<N>& elements) {
   std::array<int, N> nodes{};
   for (int& node : nodes) {
@@ -21,22 +27,21 @@ void read_nodes(MshInput& in, const TagMap& node_tags, std::int64_t tag, MshGrou
     node = node_tags.index(node_tag);
     if (node < 0) in.fail_value("there is no node " + std::to_string(node_tag));
   }
-  elements.tags.push_back(tag);
+  elements.tags.push_back(head.tag);
   elements.nodes.push_back(nodes);
-  elements.groups.push_back(group);
+  elements.groups.push_back(head.group);
 }
 
 template <class ReadNode>
-void read_element(MshInput& in, int type, std::int64_t tag, MshGroup group, const ReadNode& read_node,
-                  MshContent& content) {
-  if (type == line_type) {
-    read_nodes(in, content.node_tags, tag, group, read_node, content.lines);
-  } else if (type == triangle_type) {
-    read_nodes(in, content.node_tags, tag, group, read_node, content.triangles);
-  } else if (type == point_type) {
+void read_element(MshInput& in, const ElementHead& head, const ReadNode& read_node, MshContent& content) {
+  if (head.type == line_type) {
+    read_nodes(in, content.node_tags, head, read_node, content.lines);
+  } else if (head.type == triangle_type) {
+    read_nodes(in, content.node_tags, head, read_node, content.triangles);
+  } else if (head.type == point_type) {
     read_node();
   } else {
-    in.fail("has elements of type " + std::to_string(type) +
+    in.fail("has elements of type " + std::to_string(head.type) +
             "; points, lines and triangles of first order (15, 1, 2) are read");
   }
 }
@@ -51,7 +56,7 @@ void read_block(MshInput& in, const MshEntityGroups& groups, MshContent& content
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t tag = in.size("the tag of an element");
     read_element(
-        in, type, tag, group, [&in] { return in.size("the node of an element"); }, content);
+        in, {type, tag, group}, [&in] { return in.size("the node of an element"); }, content);
   }
 }
 
@@ -80,7 +85,7 @@ void read_tags_and_nodes(MshInput& in, int type, int tag, int num_tags, MshConte
   if (num_tags > 1) group.entity = in.integer("the entity of an element");
   for (int i = 2; i < num_tags; ++i) in.integer("a tag of an element");
   read_element(
-      in, type, tag, group, [&in] { return in.integer("the node of an element"); }, content);
+      in, {type, tag, group}, [&in] { return in.integer("the node of an element"); }, content);
 }
 
 void read_element_rows(MshInput& in, MshContent& content) {

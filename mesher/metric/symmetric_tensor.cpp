@@ -1,7 +1,5 @@
 #include "mesher/metric/symmetric_tensor.h"
 
-#include <algorithm>
-
 namespace parmesan {
 
 std::pair<double, double> eigenvalues(const SymmetricTensor& a) {

@@ -1,6 +1,5 @@
 #include "mesher/particles/fast_schedule.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "mesher/particles/boundary.h"

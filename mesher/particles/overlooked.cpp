@@ -1,7 +1,6 @@
 #include "mesher/particles/overlooked.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>

@@ -1,6 +1,5 @@
 #include "mesher/particles/particle_system.h"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 

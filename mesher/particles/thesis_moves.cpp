@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <vector>
 
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_path.h"

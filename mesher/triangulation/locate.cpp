@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 
-#include "mesher/geometry/predicates.h"
 #include "mesher/triangulation/side_of.h"
 
 namespace parmesan {

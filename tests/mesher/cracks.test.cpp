@@ -10,6 +10,7 @@
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/geometry/arcs.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/index.h"

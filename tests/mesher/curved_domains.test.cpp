@@ -11,6 +11,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/generate.h"
+#include "mesher/geometry/arcs.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/quality.h"

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <vector>
 
+#include "mesher/geometry/arcs.h"
 #include "mesher/geometry/domain.h"
 
 namespace parmesan::support {

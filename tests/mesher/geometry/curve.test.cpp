@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/arcs.h"
 #include "mesher/geometry/cubic_spline.h"
 #include "tests/support/curved_domains.h"
 #include "tests/support/splines.h"

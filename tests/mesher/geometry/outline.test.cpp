@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/arcs.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/segment_contacts.h"
 #include "tests/support/curved_domains.h"
