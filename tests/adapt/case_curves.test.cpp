@@ -11,15 +11,9 @@
 namespace parmesan {
 namespace {
 
+using support::domain_of_case;
 using support::issue_text;
-
-std::string with_geometry(const std::string& geometry) {
-  return R"j({"parameters": {"r": 2}, "geometry": {)j" + geometry + R"j(}, "problem": {"interpolate": "x"}})j";
-}
-
-Domain domain_of_case(const std::string& geometry) { return parse_case(with_geometry(geometry), "case.json").domain; }
-
-std::string issues_with(const std::string& geometry) { return issue_text(with_geometry(geometry)); }
+using support::issues_of_geometry;
 
 /// The area that the segments with this label sweep about the origin, by the midpoint rule on each.
 double swept_area(const Domain& domain, const std::string& label) {
@@ -95,43 +89,44 @@ TEST_CASE("Cubic splines go through their points, open as a piece or closed alon
   CHECK(norm(point_on(closed, closed.segments[0], 0.125) - Point{1.375, 1.375}) < 1e-14);
   const Domain open = domain_of_case(with_piece(R"j({"through": {"points": [[1, 0], [1.5, 0.5], [1, 1]]}})j"));
   CHECK_FALSE(open.segments[1].is_straight());
-  CHECK_THAT(issues_with(with_piece(R"j({"through": {"points": [[1, 0], [1, 0], [1, 1]]}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"through": {"points": [[1, 0], [1, 0], [1, 1]]}})j")),
              Catch::Contains("/geometry/curves/1/through/points: must differ from one to the next, but 0 and 1"));
-  CHECK_THAT(issues_with(with_piece(R"j({"through": {"points": [[1, 0]]}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"through": {"points": [[1, 0]]}})j")),
              Catch::Contains("/geometry/curves/1/through/points: must be at least 2, not 1"));
 }
 
 TEST_CASE("What is wrong with a curve is said at its place", "[adapt][case][errors]") {
-  CHECK_THAT(issues_with(with_piece(R"j({"arc": {"center": [1, 0.5], "radius": 0.4, "from": -90, "to": 90}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"arc": {"center": [1, 0.5], "radius": 0.4, "from": -90, "to": 90}})j")),
              Catch::Contains("/geometry/curves/1: begins at (1, 0.1), but the piece before it ends at (1, 0)\n") &&
                  Catch::Contains("/geometry/curves/2: begins at (1, 1), but the piece before it ends at (1, 0.9)\n"));
-  CHECK(issues_with(with_piece(R"j({"arc": {"radius": 0, "from": -90, "to": 90}})j")) ==
+  CHECK(issues_of_geometry(with_piece(R"j({"arc": {"radius": 0, "from": -90, "to": 90}})j")) ==
         "/geometry/curves/1/arc/radius: must be a number or an expression of the parameters above 0, not 0\n");
-  CHECK_THAT(issues_with(with_piece(R"j({"ellipse": {"axes": [1, -2]}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"ellipse": {"axes": [1, -2]}})j")),
              Catch::Contains("/geometry/curves/1/ellipse/axes/1: "));
-  CHECK_THAT(issues_with(with_piece(R"j({"spline": {"points": [[1, 0], [2, 2], [1, 1]]}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"spline": {"points": [[1, 0], [2, 2], [1, 1]]}})j")),
              Catch::Contains("/geometry/curves/1/spline/points: must be more than the degree, 3"));
-  CHECK_THAT(issues_with(with_piece(
+  CHECK_THAT(issues_of_geometry(with_piece(
                  R"j({"spline": {"points": [[1, 0], [2, 2], [1, 1]], "degree": 2, "knots": [0, 0, 1, 1]}})j")),
              Catch::Contains("/geometry/curves/1/spline/knots: must be 6 numbers"));
-  CHECK_THAT(issues_with(with_piece(
+  CHECK_THAT(issues_of_geometry(with_piece(
                  R"j({"spline": {"points": [[1, 0], [2, 2], [1, 1]], "degree": 2, "knots": [0, 0, 0, 1, 1, 0.5]}})j")),
              Catch::Contains("/geometry/curves/1/spline/knots: must not fall"));
-  CHECK_THAT(issues_with(with_piece(
+  CHECK_THAT(issues_of_geometry(with_piece(
                  R"j({"spline": {"points": [[1, 0], [2, 2], [1, 1]], "degree": 2, "weights": [1, -1, 1]}})j")),
              Catch::Contains("/geometry/curves/1/spline/weights: must be positive"));
-  CHECK_THAT(issues_with(with_piece(R"j({"spline": {"points": [[1, 0], [1, 1]], "degree": 0}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"spline": {"points": [[1, 0], [1, 1]], "degree": 0}})j")),
              Catch::Contains("/geometry/curves/1/spline/degree: "));
-  CHECK_THAT(issues_with(with_piece(R"j({"parametric": {"x": "1 + sin(pi*s)", "y": "t"}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"parametric": {"x": "1 + sin(pi*s)", "y": "t"}})j")),
              Catch::Contains("/geometry/curves/1/parametric/x: unknown name 's'") && Catch::Contains("'t'"));
-  CHECK_THAT(issues_with(with_piece(R"j({"parametric": {"x": "1 + log(abs(t - 0.5))", "y": "t"}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"parametric": {"x": "1 + log(abs(t - 0.5))", "y": "t"}})j")),
              Catch::Contains("/geometry/curves/1/parametric: the curve is not finite at parameter 0.5"));
-  CHECK_THAT(issues_with(with_piece(R"j({"parametric": {"x": 1, "y": 2}})j")),
+  CHECK_THAT(issues_of_geometry(with_piece(R"j({"parametric": {"x": 1, "y": 2}})j")),
              Catch::Contains("/geometry/curves/1/parametric: a curve stays in one place"));
-  CHECK_THAT(issues_with(with_piece(R"j({"arc": {"radius": 1, "from": 0, "to": 90}, "line": [[1, 0], [1, 1]]})j")),
-             Catch::Contains("give exactly one of"));
-  CHECK_THAT(issues_with(R"j("curves": [])j"), Catch::Contains("/geometry/curves: must be a list of pieces"));
-  CHECK_THAT(issues_with(R"j("disc": {"radius": 1}, "segments": [{"from": [0, 0]}])j"),
+  CHECK_THAT(
+      issues_of_geometry(with_piece(R"j({"arc": {"radius": 1, "from": 0, "to": 90}, "line": [[1, 0], [1, 1]]})j")),
+      Catch::Contains("give exactly one of"));
+  CHECK_THAT(issues_of_geometry(R"j("curves": [])j"), Catch::Contains("/geometry/curves: must be a list of pieces"));
+  CHECK_THAT(issues_of_geometry(R"j("disc": {"radius": 1}, "segments": [{"from": [0, 0]}])j"),
              Catch::Contains("/geometry/segments/0: the key 'to' is missing"));
   CHECK_THROWS_AS(domain_of_case(with_piece(R"j({"parametric": {"x": "1 - 2*sin(pi*t)", "y": "t"}})j")), GeometryError);
 }

@@ -14,15 +14,10 @@ namespace {
 using support::TemporaryFolder;
 
 using Catch::Contains;
+using support::domain_of_case;
 using support::issue_text;
-
-std::string with_geometry(const std::string& geometry) {
-  return R"({"geometry": {)" + geometry + R"(}, "problem": {"boundary": {"*": {"dirichlet": 0}}}})";
-}
-
-Domain domain_of_case(const std::string& geometry) { return parse_case(with_geometry(geometry), "case.json").domain; }
-
-std::string issues_with(const std::string& geometry) { return issue_text(with_geometry(geometry)); }
+using support::issues_of_geometry;
+using support::with_geometry;
 
 /// Half the sum of cross products along the segments: the area when the outside goes
 /// counter-clockwise and holes clockwise.
@@ -64,9 +59,9 @@ TEST_CASE("Sides can be given other names", "[adapt][case]") {
   const Domain domain = domain_of_case(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": {"left": "inlet"})");
   CHECK(name_at(domain, {0.0, 1.0}) == "inlet");
   CHECK(name_at(domain, {2.0, 1.0}) == "right");
-  CHECK_THAT(issues_with(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": {"lef": "inlet"})"),
+  CHECK_THAT(issues_of_geometry(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": {"lef": "inlet"})"),
              Catch::Contains("did you mean 'left'"));
-  CHECK_THAT(issues_with(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": ["inlet"])"),
+  CHECK_THAT(issues_of_geometry(R"("rectangle": {"min": [0, 0], "max": [2, 2]}, "labels": ["inlet"])"),
              Catch::Contains("is for polygons"));
 }
 
@@ -187,9 +182,9 @@ TEST_CASE("An airfoil is a hole of its channel", "[adapt][case]") {
   REQUIRE(domain.holes.size() == 1);
   CHECK(domain.segments.size() == 4 + 120);
   CHECK(label_name(domain.label_names, domain.segments.back().label) == "airfoil");
-  CHECK_THAT(issues_with(R"("naca": {"code": "0012", "channel": {"min": [0, -1], "max": [2, 1]}})"),
+  CHECK_THAT(issues_of_geometry(R"("naca": {"code": "0012", "channel": {"min": [0, -1], "max": [2, 1]}})"),
              Catch::Contains("inside the channel"));
-  CHECK_THAT(issues_with(R"("naca": {"code": "23112", "channel": {"min": [-1, -1], "max": [2, 1]}})"),
+  CHECK_THAT(issues_of_geometry(R"("naca": {"code": "23112", "channel": {"min": [-1, -1], "max": [2, 1]}})"),
              Catch::Contains("/geometry/naca/code: must be four digits") && Catch::Contains("'23012'"));
 }
 
@@ -208,17 +203,17 @@ TEST_CASE("interior_point lies inside polygons that are thin, hooked or clockwis
 }
 
 TEST_CASE("Geometry that cannot be used is refused with what is allowed", "[adapt][case][errors]") {
-  CHECK(issues_with(R"("rectangle": {"min": [0, 1], "max": [1, 1]})") ==
+  CHECK(issues_of_geometry(R"("rectangle": {"min": [0, 1], "max": [1, 1]})") ==
         "/geometry/rectangle: 'min' must be smaller than 'max' in both coordinates\n");
-  CHECK(issues_with(R"("disc": {"radius": 1}, "polygon": [[0,0],[1,0],[0,1]])") ==
+  CHECK(issues_of_geometry(R"("disc": {"radius": 1}, "polygon": [[0,0],[1,0],[0,1]])") ==
         "/geometry: give exactly one of 'rectangle', 'disc', 'ellipse', 'polygon', 'curves', 'naca', 'file', 'union', "
         "'intersection', 'difference'; found 'disc', 'polygon'\n");
-  CHECK_THAT(issues_with(R"("rectangel": {"min": [0, 0], "max": [1, 1]})"), Catch::Contains("mean 'rectangle'"));
-  CHECK(issues_with(R"("polygon": [[0, 0], [1, 0]])") ==
+  CHECK_THAT(issues_of_geometry(R"("rectangel": {"min": [0, 0], "max": [1, 1]})"), Catch::Contains("mean 'rectangle'"));
+  CHECK(issues_of_geometry(R"("polygon": [[0, 0], [1, 0]])") ==
         "/geometry/polygon: must be a list of at least 3 points, not a list of 2\n");
-  CHECK(issues_with(R"("polygon": [[0, 0], [1, 0], [0, 1, 2]])") ==
+  CHECK(issues_of_geometry(R"("polygon": [[0, 0], [1, 0], [0, 1, 2]])") ==
         "/geometry/polygon/2: must be a point [x, y], not a list of 3\n");
-  CHECK(issues_with(R"("polygon": [[0, 0], [1, 0], [0, 1]], "labels": ["a", "b"])") ==
+  CHECK(issues_of_geometry(R"("polygon": [[0, 0], [1, 0], [0, 1]], "labels": ["a", "b"])") ==
         "/geometry/labels: must name each of the 3 sides of the polygon, not 2\n");
   CHECK_THROWS_AS(domain_of_case(R"("polygon": [[0, 0], [1, 1], [1, 0], [0, 1]])"), GeometryError);
 }
@@ -299,9 +294,11 @@ TEST_CASE("holes lie apart and inside of the domain", "[adapt][case][errors]") {
   const std::string disc = R"({"disc": {"radius": 0.5}})";
   const std::string island = GENERATE(R"([[-0.2, -0.2], [0.2, -0.2], [0.2, 0.2], [-0.2, 0.2]])",
                                       R"({"disc": {"center": [0.3, 0.1], "radius": 0.1}})");
-  CHECK_THAT(issues_with(square + "[" + disc + ", " + island + "]"), Contains("/geometry/holes/1: lies in or around"));
-  CHECK_THAT(issues_with(square + "[" + island + ", " + disc + "]"), Contains("/geometry/holes/1: lies in or around"));
-  CHECK_THAT(issues_with(square + R"([{"disc": {"center": [1.5, 0], "radius": 0.1}}])"),
+  CHECK_THAT(issues_of_geometry(square + "[" + disc + ", " + island + "]"),
+             Contains("/geometry/holes/1: lies in or around"));
+  CHECK_THAT(issues_of_geometry(square + "[" + island + ", " + disc + "]"),
+             Contains("/geometry/holes/1: lies in or around"));
+  CHECK_THAT(issues_of_geometry(square + R"([{"disc": {"center": [1.5, 0], "radius": 0.1}}])"),
              Contains("/geometry/holes/0: does not lie inside of the domain"));
   CHECK(domain_of_case(square + "[" + island + R"(, {"disc": {"center": [-0.7, 0], "radius": 0.1}}])").holes.size() ==
         2);

@@ -15,15 +15,8 @@
 namespace parmesan {
 namespace {
 
-using support::issue_text;
-
-std::string with_geometry(const std::string& geometry) {
-  return R"({"geometry": {)" + geometry + R"(}, "problem": {"interpolate": "x"}})";
-}
-
-Domain domain_of_case(const std::string& geometry) { return parse_case(with_geometry(geometry), "case.json").domain; }
-
-std::string issues_with(const std::string& geometry) { return issue_text(with_geometry(geometry)); }
+using support::domain_of_case;
+using support::issues_of_geometry;
 
 double area(const Domain& domain) { return oracle::area_of(delaunay_mesh(domain).mesh); }
 
@@ -80,21 +73,22 @@ TEST_CASE("Discs stay true circles where shapes are made of them", "[adapt][case
 }
 
 TEST_CASE("What is wrong with a shape is said at its place", "[adapt][case][errors]") {
-  CHECK(issues_with(R"("intersection": [)" + box(0, 0, 1, 1) + ", " + box(1, 0, 2, 1) + "]") ==
+  CHECK(issues_of_geometry(R"("intersection": [)" + box(0, 0, 1, 1) + ", " + box(1, 0, 2, 1) + "]") ==
         "/geometry/intersection: leaves nothing: the result has no area\n");
-  CHECK(issues_with(R"("union": [)" + box(0, 0, 1, 1) + "]") ==
+  CHECK(issues_of_geometry(R"("union": [)" + box(0, 0, 1, 1) + "]") ==
         "/geometry/union: must be a list of at least 2 shapes, not a list of 1\n");
-  CHECK_THAT(issues_with(R"("union": [)" + box(0, 0, 1, 1) + R"(, {"union": [{"disk": {"radius": 1}}, )" +
-                         box(0, 0, 1, 1) + "]}]"),
+  CHECK_THAT(issues_of_geometry(R"("union": [)" + box(0, 0, 1, 1) + R"(, {"union": [{"disk": {"radius": 1}}, )" +
+                                box(0, 0, 1, 1) + "]}]"),
              Catch::Contains("/geometry/union/1/union/0/disk: unknown key 'disk'; did you mean 'disc'?"));
-  CHECK_THAT(issues_with(R"("union": [)" + box(0, 0, 1, 1) + ", " + box(0, 0, -1, 1) + "]"),
+  CHECK_THAT(issues_of_geometry(R"("union": [)" + box(0, 0, 1, 1) + ", " + box(0, 0, -1, 1) + "]"),
              Catch::Contains("/geometry/union/1/rectangle: 'min' must be smaller"));
+  CHECK_THAT(issues_of_geometry(R"("union": [)" + box(0, 0, 1, 1) + ", " +
+                                box(0, 0, 2, 1, R"(, "labels": {"lft": "a"})") + "]"),
+             Catch::Contains("/geometry/union/1/labels/lft: there is no side 'lft'"));
   CHECK_THAT(
-      issues_with(R"("union": [)" + box(0, 0, 1, 1) + ", " + box(0, 0, 2, 1, R"(, "labels": {"lft": "a"})") + "]"),
-      Catch::Contains("/geometry/union/1/labels/lft: there is no side 'lft'"));
-  CHECK_THAT(issues_with(R"("union": [)" + box(0, 0, 1, 1) + R"(, {"disc": {"radius": 1}, "points": [[0, 0]]}])"),
-             Catch::Contains("/geometry/union/1/points: unknown key"));
-  CHECK_THAT(issues_with(R"("naca": {"code": "0012"})"),
+      issues_of_geometry(R"("union": [)" + box(0, 0, 1, 1) + R"(, {"disc": {"radius": 1}, "points": [[0, 0]]}])"),
+      Catch::Contains("/geometry/union/1/points: unknown key"));
+  CHECK_THAT(issues_of_geometry(R"("naca": {"code": "0012"})"),
              Catch::Contains("/geometry/naca: the key 'channel' is missing"));
   CHECK_THROWS_WITH(domain_of_case(R"("union": [)" + box(0, 0, 1, 1) + R"(, {"polygon": [[0,0],[1,1],[1,0],[0,1]]}])"),
                     Catch::Contains("/geometry/union/1: segments 0 and 2 cross"));

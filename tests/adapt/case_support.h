@@ -17,6 +17,15 @@ inline std::string case_text(const std::string& problem, const std::string& rest
 
 inline const std::string kZeroBoundary = R"("boundary": {"*": {"dirichlet": 0}})";
 
+/// One with this geometry.
+inline std::string with_geometry(const std::string& geometry) {
+  return R"({"parameters": {"r": 2}, "geometry": {)" + geometry + R"(}, "problem": {"interpolate": "x"}})";
+}
+
+inline Domain domain_of_case(const std::string& geometry) {
+  return parse_case(with_geometry(geometry), "case.json").domain;
+}
+
 /// The issues that a case has, each as "pointer: problem"; empty when it is right.
 inline std::vector<std::string> issues_of(const std::string& text, const std::vector<Override>& overrides = {}) {
   std::vector<std::string> issues;
@@ -36,5 +45,7 @@ inline std::string issue_text(const std::string& text, const std::vector<Overrid
   for (const std::string& issue : issues_of(text, overrides)) all += issue + "\n";
   return all;
 }
+
+inline std::string issues_of_geometry(const std::string& geometry) { return issue_text(with_geometry(geometry)); }
 
 }  // namespace parmesan::support

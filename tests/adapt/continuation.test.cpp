@@ -14,7 +14,7 @@ using namespace parmesan;
 namespace {
 
 /// A layer of width 1e-3 along the flow.
-Case layer(const std::string& more) {
+Case convection_layer(const std::string& more) {
   return parse_case(R"case({"name": "layer", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
       "problem": {"diffusion": 1e-6, "velocity": [2, 1], "exact": "tanh(1000*(x - 2*y + 0.4))",
                   "boundary": {"*": {"dirichlet": "exact"}}},
@@ -32,7 +32,7 @@ TEST_CASE("continuation divides the diffusion by four, down to the case's own", 
 }
 
 TEST_CASE("a stage of continuation has the diffusion times its factor", "[adapt][continuation]") {
-  Case input = layer(R"("targets": {"vertices": 300})");
+  Case input = convection_layer(R"("targets": {"vertices": 300})");
   input.problem.diffusion = [](const Point& p, int region) { return Diffusion{p.x, p.y, 1.0 + region}; };
   const Case stage = with_larger_diffusion(input, 3.0);
   const Diffusion k = stage.problem.diffusion({2.0, 0.5}, 7);
@@ -44,7 +44,7 @@ TEST_CASE("a stage of continuation has the diffusion times its factor", "[adapt]
 
 TEST_CASE("a loop that begins by continuation has found the layer with its first row", "[adapt][continuation]") {
   const auto first_row = [](const std::string& initial) {
-    const Case input = layer(R"("targets": {"vertices": 300, "max_iterations": 1}, "initial": )" + initial);
+    const Case input = convection_layer(R"("targets": {"vertices": 300, "max_iterations": 1}, "initial": )" + initial);
     return adapt(input, {}).summary.iterations.front();
   };
   const IterationRow uniform = first_row(R"({"vertices": 300})");
@@ -56,8 +56,8 @@ TEST_CASE("a loop that begins by continuation has found the layer with its first
 
 TEST_CASE("after continuation the case's own problem is solved, for a goal too", "[adapt][continuation][goal]") {
   for (const std::string goal : {"", R"(, "goal": "mean")"}) {
-    const Case input = layer(R"("targets": {"vertices": 300, "max_iterations": 1)" + goal +
-                             R"(}, "initial": {"vertices": 300, "continuation": 16})");
+    const Case input = convection_layer(R"("targets": {"vertices": 300, "max_iterations": 1)" + goal +
+                                        R"(}, "initial": {"vertices": 300, "continuation": 16})");
     const Iterate last = adapt(input, {}).last;
     CHECK((last.values == solve(last.mesh, input.problem).values));
     CHECK(last.dual.empty() == goal.empty());
@@ -72,10 +72,10 @@ TEST_CASE("an interrupt during continuation leaves a row of the case's own probl
   options.interrupted = &interrupted;
   options.observer = [&state](const LoopState& s) { state = s; };
   const std::string targets = R"("targets": {"vertices": 300, "max_iterations": 2}, "initial": {"vertices": 300)";
-  const Case input = layer(targets + R"(, "continuation": 16})");
+  const Case input = convection_layer(targets + R"(, "continuation": 16})");
   const LoopResult cut = adapt(input, options);
   const LoopState at_the_cut = state.value();
-  const LoopResult uniform = adapt(layer(targets + "}"), options);
+  const LoopResult uniform = adapt(convection_layer(targets + "}"), options);
   CHECK(cut.summary.stop_reason == StopReason::Interrupted);
   CHECK((cut.last.values == uniform.last.values));
   const LoopResult whole = adapt(input, {});
@@ -102,8 +102,8 @@ TEST_CASE("continuation passes over flux data that balance for the case's own di
 
 TEST_CASE("continuation ends with the time", "[adapt][continuation]") {
   const std::string targets = R"("targets": {"vertices": 300, "max_seconds": 1e-9}, "initial": {"vertices": 300)";
-  const LoopResult hurried = adapt(layer(targets + R"(, "continuation": 1e12})"), {});
-  const LoopResult uniform = adapt(layer(targets + "}"), {});
+  const LoopResult hurried = adapt(convection_layer(targets + R"(, "continuation": 1e12})"), {});
+  const LoopResult uniform = adapt(convection_layer(targets + "}"), {});
   CHECK(hurried.summary.stop_reason == StopReason::TimeBudget);
   CHECK((hurried.last.values == uniform.last.values));
 }

@@ -64,7 +64,7 @@ TEST_CASE("a Gmsh mesh of a run has the names of its sides, and its fields", "[a
 }
 
 TEST_CASE("the solution of a run can be interpolated by another, also on both sides of a crack", "[adapt][run]") {
-  const TemporaryFolder folder("run_solution");
+  const TemporaryFolder folder;
   const std::string geometry = R"({"geometry": {"rectangle": {"min": [-1, -1], "max": [1, 1]}, "segments": [
       {"from": [-0.5, 0], "to": [0.5, 0], "label": "above", "label_right": "below"}]}, )";
   const Case input = parse_case(geometry + R"("problem": {"boundary": {"*": {"dirichlet": 0},
@@ -74,7 +74,7 @@ TEST_CASE("the solution of a run can be interpolated by another, also on both si
   run_case(input, into(folder));
   const LoopResult again = adapt(input, {});
   const Case next = parse_case(geometry + R"("problem": {"interpolate": {"file": "mesh.sol", "mesh": "mesh.mesh"}}})",
-                               folder.file("next.json"));
+                               folder / "next.json");
   REQUIRE(next.given);
   CHECK(has_cracks(next.given->mesh));
   CHECK(next.given->mesh.points == again.last.mesh.points);

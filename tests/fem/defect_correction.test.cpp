@@ -13,20 +13,6 @@ namespace {
 
 using namespace support;
 
-/// The problem of which the wave is the solution.
-Problem wave(const Diffusion& k, const Vector& b, double c) {
-  Problem problem;
-  problem.diffusion = [k](const Point&, int) { return k; };
-  if (b != Vector{}) problem.velocity = [b](const Point&, int) { return b; };
-  problem.reaction = [c](const Point&, int) { return c; };
-  problem.source = [=](const Point& p, int) {
-    return -(k.xx * Wave::xx(p) + 2 * k.xy * Wave::xy(p) + k.yy * Wave::yy(p)) + dot(b, Wave::gradient(p)) +
-           c * Wave::value(p);
-  };
-  problem.boundary = dirichlet_everywhere(Wave::value);
-  return problem;
-}
-
 Solution corrected(const Mesh& mesh, Problem problem) {
   problem.correct_defect = true;
   return solve(mesh, problem);

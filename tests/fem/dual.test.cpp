@@ -24,10 +24,6 @@ Eigen::VectorXd vector_of(const std::vector<double>& x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
-BoundaryData constant(double c) {
-  return [c](const Point&, const Vector&, int) { return c; };
-}
-
 /// Diffusion, wind and reaction; u = 0 left, given fluxes right and at the bottom, Robin at the top.
 Problem all_terms() {
   Problem problem;

@@ -14,10 +14,6 @@ namespace {
 
 using namespace support;
 
-/// q = 1 + 2x - y + 3/2 x^2 - 4 xy + 5/2 y^2.
-double quadratic(const Point& p) { return 1 + 2 * p.x - p.y + 1.5 * p.x * p.x - 4 * p.x * p.y + 2.5 * p.y * p.y; }
-Vector quadratic_gradient(const Point& p) { return {2 + 3 * p.x - 4 * p.y, -1 - 4 * p.x + 5 * p.y}; }
-
 EstimatedError interpolation_error(const Mesh& mesh, std::span<const double> values) {
   const std::vector<double> exact_at_vertices(values.size(), 0.0);
   return error_of(mesh, surpluses(mesh, values, recover_gradients(mesh, values)), exact_at_vertices);

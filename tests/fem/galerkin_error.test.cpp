@@ -30,22 +30,7 @@ Effectivity effectivity(const Mesh& mesh, const Problem& problem, const ExactFun
           estimate.interpolation_l2 / interpolation};
 }
 
-/// The problem of which u is the solution, with constant coefficients.
-Problem wave(const Diffusion& k, const Vector& b, double c) {
-  Problem problem;
-  problem.diffusion = [k](const Point&, int) { return k; };
-  problem.velocity = [b](const Point&, int) { return b; };
-  problem.reaction = [c](const Point&, int) { return c; };
-  problem.source = [=](const Point& p, int) {
-    return -(k.xx * Wave::xx(p) + 2 * k.xy * Wave::xy(p) + k.yy * Wave::yy(p)) + dot(b, Wave::gradient(p)) +
-           c * Wave::value(p);
-  };
-  if (b == Vector{}) problem.velocity = nullptr;
-  problem.boundary = dirichlet_everywhere(Wave::value);
-  return problem;
-}
-
-double wave_flux(const Point& p, const Vector& n, int) { return dot(n, Wave::gradient(p)); }
+double wave_flux_at(const Point& p, const Vector& n, int) { return dot(n, Wave::gradient(p)); }
 
 }  // namespace
 
@@ -75,17 +60,17 @@ TEST_CASE("the L2 estimate of a smooth solution is its error", "[fem][estimate][
     };
     margin = 0.03;
   }
-  SECTION("a Neumann condition") { problem.boundary[Right] = neumann(wave_flux); }
+  SECTION("a Neumann condition") { problem.boundary[Right] = neumann(wave_flux_at); }
   SECTION("a Robin condition") {
     const auto a = [](const Point& p, const Vector&, int) { return 400.0 * (1.0 + p.x); };
     problem.boundary[Right] = problem.boundary[Top] = problem.boundary[Left] = robin(
-        a, [a](const Point& p, const Vector& n, int r) { return wave_flux(p, n, r) + a(p, n, r) * Wave::value(p); });
+        a, [a](const Point& p, const Vector& n, int r) { return wave_flux_at(p, n, r) + a(p, n, r) * Wave::value(p); });
   }
   SECTION("a Robin condition where a velocity dominates") {
     problem = wave({1e-3, 0, 1e-3}, {2, 1}, 0.0);
     const auto a = [](const Point&, const Vector&, int) { return 1.0; };
     problem.boundary[Right] = problem.boundary[Top] =
-        robin(a, [](const Point& p, const Vector& n, int r) { return 1e-3 * wave_flux(p, n, r) + Wave::value(p); });
+        robin(a, [](const Point& p, const Vector& n, int r) { return 1e-3 * wave_flux_at(p, n, r) + Wave::value(p); });
     margin = 0.03;
   }
   const Effectivity e = effectivity(random_square(32, 0.24, 7), problem, Wave::exact());

@@ -17,7 +17,7 @@ namespace {
 
 using namespace support;
 
-Problem poisson() {
+Problem wave_poisson() {
   Problem problem;
   problem.source = [](const Point& p, int) { return -Wave::xx(p) - Wave::yy(p); };
   problem.boundary = dirichlet_everywhere(Wave::value);
@@ -36,7 +36,7 @@ ReducedSystem reduced(const Mesh& mesh, const Problem& problem) {
           reduced_load(system.matrix, system.load, fixed.fixed, fixed.values)};
 }
 
-ReducedSystem reduced_poisson(const Mesh& mesh) { return reduced(mesh, poisson()); }
+ReducedSystem reduced_poisson(const Mesh& mesh) { return reduced(mesh, wave_poisson()); }
 
 LinearResult solve_linear(const RowMatrix& matrix, const Eigen::VectorXd& b, const MatrixKind& kind,
                           const Eigen::VectorXd& guess, const SolverOptions& options = {}) {
@@ -94,7 +94,7 @@ TEST_CASE("every method with every preconditioner finds the solution that is kno
                                                  Preconditioner::IncompleteLu, Preconditioner::Multigrid);
   const bool symmetric = method == SolverMethod::Cg || method == SolverMethod::Ldlt;
   if (method == SolverMethod::Cg && preconditioner == Preconditioner::IncompleteLu) return;
-  Problem problem = poisson();
+  Problem problem = wave_poisson();
   if (!symmetric) problem.velocity = [](const Point& p, int) { return Vector{20 * p.y, -10.0}; };
   const Mesh mesh = random_square(40, 0.2, 4);
   const RowMatrix matrix = reduced(mesh, problem).matrix;
@@ -147,7 +147,7 @@ TEST_CASE("GMRES says so when it stagnates", "[fem][solver][gmres]") {
 
 TEST_CASE("a wished method that fails is followed by a direct one", "[fem][solver]") {
   // GMRES(1) stalls on an indefinite matrix: where r.A r = 0 no multiple of A r makes the residual r smaller.
-  Problem problem = poisson();
+  Problem problem = wave_poisson();
   problem.reaction = [](const Point&, int) { return -500.0; };
   const Mesh mesh = random_square(40, 0.2, 5);
   const ReducedSystem system = reduced(mesh, problem);
@@ -210,7 +210,7 @@ TEST_CASE("a multigrid cycle reduces the error on round and on stretched meshes"
 TEST_CASE("multigrid bears unknowns that are coupled to nothing else strongly", "[fem][solver][multigrid]") {
   // Pockets one vertex wide that hardly conduct: their rows sum to 0, so all of the diagonal is weak couplings.
   const Mesh mesh = rectangle_mesh(64, 64);
-  Problem problem = poisson();
+  Problem problem = wave_poisson();
   problem.diffusion = [](const Point& p, int) {
     const auto in_pocket = [](double x) { return static_cast<int>(64.0 * x) % 8 < 2; };
     const double k = in_pocket(p.x) && in_pocket(p.y) ? 1e-6 : 1.0;
@@ -243,7 +243,7 @@ TEST_CASE("a preconditioner that cannot be made is followed by a direct method",
 TEST_CASE("iterative solvers agree with direct ones", "[fem][solver][slow]") {
   // 350^2 cells are beyond the size at which iterations begin; the error of P1 is the oracle.
   const Mesh mesh = bent_square(350);
-  Problem problem = poisson();
+  Problem problem = wave_poisson();
   double error = 0.0;
 
   SECTION("CG") {
@@ -282,7 +282,7 @@ TEST_CASE("iterative solvers agree with direct ones", "[fem][solver][slow]") {
 TEST_CASE("where conjugate gradients do not converge a direct method takes over", "[fem][solver][slow]") {
   // -laplace u - 2000 u is indefinite; the claim that it is not sends it to CG first.
   const Mesh mesh = rectangle_mesh(330, 330);
-  Problem problem = poisson();
+  Problem problem = wave_poisson();
   problem.reaction = [](const Point&, int) { return -2000.0; };
   const ReducedSystem system = reduced(mesh, problem);
   REQUIRE(system.load.size() > 100'000);

@@ -47,8 +47,31 @@ inline std::map<int, BoundaryCondition> dirichlet_everywhere(double (*u)(const P
   return {{Bottom, condition}, {Right, condition}, {Top, condition}, {Left, condition}};
 }
 
+/// The problem of which that is the solution, with constant coefficients.
+inline Problem wave(const Diffusion& k, const Vector& b = {}, double c = 0.0) {
+  Problem problem;
+  problem.diffusion = [k](const Point&, int) { return k; };
+  if (b != Vector{}) problem.velocity = [b](const Point&, int) { return b; };
+  problem.reaction = [c](const Point&, int) { return c; };
+  problem.source = [=](const Point& p, int) {
+    return -(k.xx * Wave::xx(p) + 2 * k.xy * Wave::xy(p) + k.yy * Wave::yy(p)) + dot(b, Wave::gradient(p)) +
+           c * Wave::value(p);
+  };
+  problem.boundary = dirichlet_everywhere(Wave::value);
+  return problem;
+}
+
+inline BoundaryData constant(double value) {
+  return [value](const Point&, const Vector&, int) { return value; };
+}
+
 /// 3 - 2x + 5y.
 inline double linear(const Point& p) { return 3 - 2 * p.x + 5 * p.y; }
+
+inline double quadratic(const Point& p) {
+  return 1 + 2 * p.x - p.y + 1.5 * p.x * p.x - 4 * p.x * p.y + 2.5 * p.y * p.y;
+}
+inline Vector quadratic_gradient(const Point& p) { return {2 + 3 * p.x - 4 * p.y, -1 - 4 * p.x + 5 * p.y}; }
 
 /// Largest difference at the vertices.
 inline double largest_error(const Mesh& mesh, std::span<const double> values, double (*exact)(const Point&)) {

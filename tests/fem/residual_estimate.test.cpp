@@ -14,19 +14,6 @@ using namespace parmesan::support;
 
 namespace {
 
-Problem wave(const Diffusion& k, const Vector& b = {}, double c = 0.0) {
-  Problem problem;
-  problem.diffusion = [k](const Point&, int) { return k; };
-  problem.velocity = [b](const Point&, int) { return b; };
-  problem.reaction = [c](const Point&, int) { return c; };
-  problem.source = [=](const Point& p, int) {
-    return -k.xx * Wave::xx(p) - 2 * k.xy * Wave::xy(p) - k.yy * Wave::yy(p) + dot(b, Wave::gradient(p)) +
-           c * Wave::value(p);
-  };
-  problem.boundary = dirichlet_everywhere(Wave::value);
-  return problem;
-}
-
 double effectivity(const Mesh& mesh, const Problem& problem) {
   const std::vector<double> u = solve(mesh, problem).values;
   return residual_estimate(mesh, problem, u) / error_norms(mesh, u, Wave::exact()).h1;

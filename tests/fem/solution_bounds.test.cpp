@@ -16,10 +16,6 @@ SolutionBounds bounds_of(const Problem& problem) {
   return solution_bounds(mesh, problem, labelled_sides(mesh));
 }
 
-BoundaryData constant(double value) {
-  return [value](const Point&, const Vector&, int) { return value; };
-}
-
 /// No source, -1 on the left, 2 on the right, no flux elsewhere.
 Problem between() {
   Problem problem;

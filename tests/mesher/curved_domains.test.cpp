@@ -27,7 +27,7 @@ using namespace parmesan;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// How far vertices with this label are from the circle, relative to its radius.
 double distance_from_circle(const Mesh& mesh, int label, double radius) {

@@ -22,7 +22,7 @@ using namespace parmesan;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const std::vector<SetOperation> kOperations{SetOperation::Union, SetOperation::Intersection, SetOperation::Difference};
 

@@ -15,7 +15,7 @@ using namespace parmesan;
 namespace {
 
 /// Sizes of 0.04 along a line at 20 degrees and 20 times less across it, in a layer of this width.
-CallableField layer(double width, double shift) {
+CallableField shifted_layer(double width, double shift) {
   return CallableField([=](const Point& p) {
     constexpr double angle = 0.35;
     const double d = (p.x - 0.5) * std::cos(angle) + (p.y - 0.5) * std::sin(angle) - shift;
@@ -70,10 +70,10 @@ TEST_CASE("a sample of a large mesh decides as all of it would", "[mesher][start
 TEST_CASE("wherever a layer has moved to, the mesh meets the metric, and the report says how", "[mesher][start]") {
   constexpr double width = 0.04;
   const Domain domain = support::unit_square();
-  const Mesh previous = generate(domain, layer(width, 0.0)).mesh;
+  const Mesh previous = generate(domain, shifted_layer(width, 0.0)).mesh;
   const double widths = GENERATE(0.0, 0.2, 1.0, 4.0);
   CAPTURE(widths);
-  const CallableField moved = layer(width, widths * width);
+  const CallableField moved = shifted_layer(width, widths * width);
   const GenerateResult made = generate(domain, moved, {}, previous);
   CHECK(made.report.start == (widths < 0.5 ? Start::PreviousMesh : Start::Scratch));
   CHECK_THAT(made.report.start_reason, Catch::Contains("by a factor of"));
@@ -86,7 +86,7 @@ TEST_CASE("wherever a layer has moved to, the mesh meets the metric, and the rep
 
 TEST_CASE("a previous mesh that is not used changes nothing", "[mesher][start]") {
   const Mesh previous = generate(support::unit_square(), ConstantField(Metric::isotropic(0.05))).mesh;
-  const CallableField field = layer(0.04, 0.0);
+  const CallableField field = shifted_layer(0.04, 0.0);
   const GenerateResult with = generate(support::unit_square(), field, {}, previous);
   const GenerateResult without = generate(support::unit_square(), field);
   CHECK(with.report.start == Start::Scratch);

@@ -29,7 +29,7 @@ class Threads {
   int before_;
 };
 
-Metric ring(const Point& p) {
+Metric ring_metric(const Point& p) {
   const double r = norm(p - Point{0.5, 0.5});
   const double across = 0.0015 + 0.04 * std::abs(r - 0.3);
   return Metric::from_sizes(across, 4.0 * across, std::atan2(p.y - 0.5, p.x - 0.5));
@@ -37,7 +37,7 @@ Metric ring(const Point& p) {
 
 std::vector<Metric> ring_on(const Mesh& mesh) {
   std::vector<Metric> metrics;
-  for (const Point& p : mesh.points) metrics.push_back(ring(p));
+  for (const Point& p : mesh.points) metrics.push_back(ring_metric(p));
   return metrics;
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("any number of threads makes the same mesh", "[mesher][threads]") {
   const Domain domain = support::unit_square();
   const auto remeshed = [&](int threads) {
     const Threads scope(threads);
-    const Mesh first = generate(domain, CallableField(ring)).mesh;
+    const Mesh first = generate(domain, CallableField(ring_metric)).mesh;
     return generate(domain, BackgroundMesh(first, ring_on(first)), {}, first).mesh;
   };
   const Mesh one = remeshed(1);
@@ -69,7 +69,7 @@ TEST_CASE("any number of threads makes the same mesh where particles act from af
   options.particles.radius = 3.0;
   const auto meshed = [&](int threads) {
     const Threads scope(threads);
-    return generate(domain, CallableField(ring), options).mesh;
+    return generate(domain, CallableField(ring_metric), options).mesh;
   };
   const Mesh many = meshed(4);
   const Mesh one = meshed(1);
@@ -94,7 +94,7 @@ TEST_CASE("what fails first in number is thrown, on any number of threads", "[me
 
 TEST_CASE("each cut has every particle once, in the territory of its block", "[mesher][threads]") {
   const Domain domain = support::unit_square();
-  const CallableField field(ring);
+  const CallableField field(ring_metric);
   const Mesh mesh = generate(domain, field).mesh;
   const ParticleSystem particles(from_mesh(mesh, support::segments_of(mesh)), domain, field);
   const Blocks blocks(particles);

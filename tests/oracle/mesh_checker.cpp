@@ -20,7 +20,7 @@ using DirectedEdge = std::pair<int, int>;
 std::string name(const char* kind, std::size_t i) { return std::string(kind) + " " + std::to_string(i); }
 std::string name(const DirectedEdge& e) { return std::to_string(e.first) + "-" + std::to_string(e.second); }
 
-const Point& point(const Mesh& mesh, int v) { return mesh.points.at(static_cast<std::size_t>(v)); }
+const Point& place(const Mesh& mesh, int v) { return mesh.points.at(static_cast<std::size_t>(v)); }
 
 /// Problems that make the further checks senseless.
 Problems structural_problems(const Mesh& mesh) {
@@ -57,7 +57,7 @@ Sides sides_of_triangles(const Mesh& mesh) {
   Sides sides;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
-    if (orientation(point(mesh, v[0]), point(mesh, v[1]), point(mesh, v[2])) <= 0) {
+    if (orientation(place(mesh, v[0]), place(mesh, v[1]), place(mesh, v[2])) <= 0) {
       sides.problems.push_back(name("triangle", t) + " is not counter-clockwise");
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -97,10 +97,10 @@ Problems hanging_vertices(const Mesh& mesh, const Sides& sides) {
   }
   Problems problems;
   for (const auto& [a, b] : boundary) {
-    const Point& p = point(mesh, a);
-    const Point& q = point(mesh, b);
+    const Point& p = place(mesh, a);
+    const Point& q = place(mesh, b);
     for (const auto& [v, next] : boundary) {
-      const Point& r = point(mesh, v);
+      const Point& r = place(mesh, v);
       const bool between = std::min(p.x, q.x) <= r.x && r.x <= std::max(p.x, q.x) && std::min(p.y, q.y) <= r.y &&
                            r.y <= std::max(p.y, q.y) && r != p && r != q;
       if (between && orientation(p, q, r) == 0)
@@ -116,9 +116,9 @@ Problems angle_problems(const Mesh& mesh, const Sides& sides) {
   std::vector<bool> is_inner(mesh.points.size(), true);
   for (const auto& v : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Point& o = point(mesh, v[k]);
-      const Point& p = point(mesh, v[(k + 1) % 3]);
-      const Point& q = point(mesh, v[(k + 2) % 3]);
+      const Point& o = place(mesh, v[k]);
+      const Point& p = place(mesh, v[(k + 1) % 3]);
+      const Point& q = place(mesh, v[(k + 2) % 3]);
       const long double px = static_cast<long double>(p.x) - o.x, py = static_cast<long double>(p.y) - o.y;
       const long double qx = static_cast<long double>(q.x) - o.x, qy = static_cast<long double>(q.y) - o.y;
       angle[static_cast<std::size_t>(v[k])] += std::atan2(px * qy - py * qx, px * qx + py * qy);
@@ -212,9 +212,9 @@ std::vector<std::string> problems_of(const Mesh& mesh) {
 double area_of(const Mesh& mesh) {
   long double sum = 0.0L;
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Point& p = point(mesh, a);
-    const Point& q = point(mesh, b);
-    const Point& r = point(mesh, c);
+    const Point& p = place(mesh, a);
+    const Point& q = place(mesh, b);
+    const Point& r = place(mesh, c);
     sum += (static_cast<long double>(q.x) - p.x) * (static_cast<long double>(r.y) - p.y) -
            (static_cast<long double>(q.y) - p.y) * (static_cast<long double>(r.x) - p.x);
   }

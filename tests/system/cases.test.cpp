@@ -7,8 +7,8 @@
 #include "tests/system/program.h"
 
 using Json = nlohmann::json;
+using parmesan::support::content_of;
 using parmesan::support::ProgramResult;
-using parmesan::support::read_file;
 using parmesan::support::run_program;
 using parmesan::support::TemporaryFolder;
 
@@ -47,7 +47,7 @@ TEST_CASE("every case that comes along is valid", "[system][cases]") {
 }
 
 TEST_CASE("the example of the page on case files is a valid case", "[system][cases]") {
-  const std::string page = read_file(std::string(PARMESAN_SOURCE_DIR) + "/cases/CASE-FILE.md");
+  const std::string page = content_of(std::string(PARMESAN_SOURCE_DIR) + "/cases/CASE-FILE.md");
   const std::string fence = "```jsonc\n";
   const std::size_t begin = page.find(fence);
   REQUIRE(begin != std::string::npos);

@@ -10,7 +10,7 @@ using parmesan::support::TemporaryFolder;
 
 namespace {
 
-const std::string layer = R"json({
+const std::string given_layer = R"json({
   "name": "layer", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
   "problem": {"interpolate": "tanh(20*(x - y^2))"}
 })json";
@@ -19,7 +19,7 @@ const std::string layer = R"json({
 
 TEST_CASE("compare prints a table of three families and leaves it as files", "[system][compare]") {
   const TemporaryFolder folder;
-  const std::string input = folder.write("layer.json", layer);
+  const std::string input = folder.write("layer.json", given_layer);
   const ProgramResult result =
       run_program({"compare", input, "--sizes", "100,300", "--limit", "vertices=2000"}, folder.path());
   INFO(result.err);
@@ -38,7 +38,7 @@ TEST_CASE("compare prints a table of three families and leaves it as files", "[s
 
 TEST_CASE("compare keeps an earlier comparison unless told to replace it", "[system][compare][errors]") {
   const TemporaryFolder folder;
-  std::vector<std::string> words{"compare", folder.write("layer.json", layer), "--sizes", "100", "-q"};
+  std::vector<std::string> words{"compare", folder.write("layer.json", given_layer), "--sizes", "100", "-q"};
   words.insert(words.end(), {"--limit", "vertices=200", "--out", folder / "out"});
   REQUIRE(run_program(words).exit_code == 0);
   const std::string before = content_of(folder / "out/compare.csv");

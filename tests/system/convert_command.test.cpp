@@ -163,6 +163,6 @@ TEST_CASE("convert refuses options that the format has no use for", "[system][co
   INFO(result.err);
   CHECK(result.exit_code == 2);
   CHECK_THAT(result.err, Catch::Contains(idle.options.front()));
-  CHECK(read_file(folder / idle.name).empty());
+  CHECK(content_of(folder / idle.name).empty());
   CHECK(run_program({"convert", folder / "a.mesh", folder / "b.meshb", "--binary"}).exit_code == 0);  // it is
 }

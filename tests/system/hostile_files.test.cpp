@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string square = R"("geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}})";
+const std::string unit_square = R"("geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}})";
 
-const std::string small_run = R"json({"name": "small", )json" + square + R"json(,
+const std::string small_run = R"json({"name": "small", )json" + unit_square + R"json(,
   "problem": {"exact": "x^2*y", "boundary": {"*": {"dirichlet": "exact"}}},
   "targets": {"vertices": 120, "max_iterations": 2}, "initial": {"vertices": 100}, "mesher": {"preset": "fast"},
   "output": {"formats": ["vtu", "mesh", "msh", "svg", "png"]}})json";
@@ -126,7 +126,7 @@ TEST_CASE("a case's name is that of one folder below the present one", "[system]
   const std::string name = GENERATE(std::string("../escaped"), std::string("/tmp/escaped"), std::string(".."),
                                     std::string("a/b"), std::string("a\\u0000b"), std::string(300, 'n'));
   const std::string input = folder.write(
-      "here/case.json", "{\"name\": \"" + name + "\", " + square + R"(, "problem": {"interpolate": "x*x"}})");
+      "here/case.json", "{\"name\": \"" + name + "\", " + unit_square + R"(, "problem": {"interpolate": "x*x"}})");
   const ProgramResult result = run_program({"run", input}, folder / "here");
   CHECK(result.exit_code == 3);
   CHECK_THAT(result.err, Catch::Contains("/name: must name a folder"));
@@ -212,7 +212,7 @@ TEST_CASE("a case of hostile size is refused in time", "[system][hostile][errors
   CHECK_THAT(refused("{\"x-a\": [" + twice + "]}"), Catch::Contains("given twice"));
   std::string sum = "x";
   for (int k = 0; k < 100000; ++k) sum += "+sin(x*y)";
-  CHECK_THAT(refused("{" + square + R"(, "problem": {"interpolate": ")" + sum + "\"}}"),
+  CHECK_THAT(refused("{" + unit_square + R"(, "problem": {"interpolate": ")" + sum + "\"}}"),
              Catch::Contains("longer than 10000"));
   const std::string large = folder / "large.json";
   folder.write("large.json", "{");

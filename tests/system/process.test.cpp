@@ -17,7 +17,7 @@ using parmesan::support::TemporaryFolder;
 // "$1" is the program.
 namespace {
 
-const std::string layer = R"json({
+const std::string small_layer = R"json({
   "name": "layer", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
   "problem": {"exact": "atan(10*(hypot(x + 0.05, y + 0.05) - 0.7))", "boundary": {"*": {"dirichlet": "exact"}}},
   "targets": {"vertices": 200, "max_iterations": 2}, "mesher": {"preset": "fast"},
@@ -52,7 +52,7 @@ TEST_CASE("results that cannot be printed end with 7", "[system][process][errors
 
 TEST_CASE("what is printed to a closed output does not land in a file", "[system][process]") {
   const TemporaryFolder folder;
-  folder.write("layer.json", layer);
+  folder.write("layer.json", small_layer);
   // The first file that is opened would get the number of the closed output: the lock, which has the process in it.
   const ProgramResult result =
       run_script(folder,
@@ -74,7 +74,7 @@ TEST_CASE("a reader that goes away ends the program without a word", "[system][p
 
 TEST_CASE("a full disk ends a run with 7, without a result and without rubbish", "[system][process][errors]") {
   const TemporaryFolder folder;
-  folder.write("layer.json", layer);
+  folder.write("layer.json", small_layer);
   // Of a file system of 60 kB, its own for these processes.
   const ProgramResult result = run_script(folder,
                                           "mkdir disk; program=$1; unshare -m true 2>/dev/null || exit 77; "
@@ -103,7 +103,7 @@ TEST_CASE("a file that may not grow so large ends with 7, and the one before sta
 
 TEST_CASE("a folder that may not be written ends with 7", "[system][process][errors]") {
   const TemporaryFolder folder;
-  folder.write("layer.json", layer);
+  folder.write("layer.json", small_layer);
   folder.write("square.poly", square_poly);
   // Everything may be written by root, who therefore becomes nobody.
   const ProgramResult result =
@@ -121,7 +121,7 @@ TEST_CASE("a folder that may not be written ends with 7", "[system][process][err
 
 TEST_CASE("a signal that is ignored, as by nohup, does not stop a run", "[system][process]") {
   const TemporaryFolder folder;
-  folder.write("layer.json", layer);
+  folder.write("layer.json", small_layer);
   const ProgramResult result =
       run_script(folder,
                  "trap '' HUP INT; \"$1\" run layer.json -q --out out --set /targets/vertices=2000 --set "
@@ -132,7 +132,7 @@ TEST_CASE("a signal that is ignored, as by nohup, does not stop a run", "[system
 
 TEST_CASE("a second run into a folder in use is refused with the number of the first", "[system][process][errors]") {
   const TemporaryFolder folder;
-  folder.write("layer.json", layer);
+  folder.write("layer.json", small_layer);
   const std::string option = GENERATE("", "--overwrite", "--resume");
   const ProgramResult result =
       run_script(folder,
@@ -147,7 +147,7 @@ TEST_CASE("a second run into a folder in use is refused with the number of the f
 
 TEST_CASE("a run needs neither home, nor terminal, nor a generous umask", "[system][process]") {
   const TemporaryFolder folder;
-  folder.write("layer.json", layer);
+  folder.write("layer.json", small_layer);
   REQUIRE(run_script(folder, "\"$1\" run layer.json -q --out usual").exit_code == 0);
   const ProgramResult bare = run_script(
       folder,
@@ -169,7 +169,7 @@ TEST_CASE("a run needs neither home, nor terminal, nor a generous umask", "[syst
 
 TEST_CASE("a German locale changes no byte", "[system][process]") {
   const TemporaryFolder folder;
-  folder.write("layer.json", layer);
+  folder.write("layer.json", small_layer);
   if (run_other("sh", {"-c", "locale -a | grep -qi '^de_DE.utf-*8$'"}).exit_code != 0) {
     std::cout << "skipped: there is no locale de_DE.UTF-8\n";
     return;

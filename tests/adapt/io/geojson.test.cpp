@@ -30,7 +30,7 @@ std::string collection(const std::string& features) {
 Domain parse(const std::string& text) { return parse_geojson(text, "t.geojson"); }
 
 /// The area of a region, of all for -1.
-double area(const Mesh& mesh, int region = -1) {
+double area_within(const Mesh& mesh, int region = -1) {
   double sum = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (region >= 0 && mesh.regions[t] != region) continue;
@@ -42,7 +42,7 @@ double area(const Mesh& mesh, int region = -1) {
   return sum;
 }
 
-double area_of(const std::string& text) { return area(delaunay_mesh(parse(text)).mesh); }
+double area_of(const std::string& text) { return area_within(delaunay_mesh(parse(text)).mesh); }
 
 }  // namespace
 
@@ -51,7 +51,7 @@ TEST_CASE("A GeoJSON polygon is a domain with its holes, whatever the direction 
                                     "[[1,1,9],[2,1,9],[2,2,9],[1,2,9]]");
   const Domain domain = parse(polygon(square + "," + hole));
   CHECK(domain.label_names == parmesan::LabelNames{{1, "boundary"}, {2, "hole1"}});
-  CHECK(area(delaunay_mesh(domain).mesh) == Approx(15.0).epsilon(1e-14));
+  CHECK(area_within(delaunay_mesh(domain).mesh) == Approx(15.0).epsilon(1e-14));
 }
 
 TEST_CASE("A multi-polygon has an island in its lake", "[adapt][io][geojson]") {
@@ -70,9 +70,9 @@ TEST_CASE("Features that share a border are regions with their names", "[adapt][
   const Mesh mesh = delaunay_mesh(domain).mesh;
   CHECK_NOTHROW(validate(mesh));
   CHECK(mesh.region_names == parmesan::LabelNames{{1, "left"}, {2, "right"}, {3, "feature3"}});
-  CHECK(area(mesh, 1) == Approx(2.0).epsilon(1e-14));
-  CHECK(area(mesh, 2) == Approx(3.75).epsilon(1e-14));
-  CHECK(area(mesh, 3) == Approx(1.0).epsilon(1e-14));
+  CHECK(area_within(mesh, 1) == Approx(2.0).epsilon(1e-14));
+  CHECK(area_within(mesh, 2) == Approx(3.75).epsilon(1e-14));
+  CHECK(area_within(mesh, 3) == Approx(1.0).epsilon(1e-14));
 }
 
 TEST_CASE("Where features overlap the smallest counts", "[adapt][io][geojson]") {
@@ -80,8 +80,8 @@ TEST_CASE("Where features overlap the smallest counts", "[adapt][io][geojson]") 
   const std::string outer = feature("outer", polygon(square));
   const bool inner_first = GENERATE(true, false);
   const Mesh mesh = delaunay_mesh(parse(collection(inner_first ? inner + "," + outer : outer + "," + inner))).mesh;
-  CHECK(area(mesh, inner_first ? 1 : 2) == Approx(1.0).epsilon(1e-14));
-  CHECK(area(mesh, inner_first ? 2 : 1) == Approx(15.0).epsilon(1e-14));
+  CHECK(area_within(mesh, inner_first ? 1 : 2) == Approx(1.0).epsilon(1e-14));
+  CHECK(area_within(mesh, inner_first ? 2 : 1) == Approx(15.0).epsilon(1e-14));
 }
 
 TEST_CASE("Features whose rings cross are refused, or split there", "[adapt][io][geojson]") {
@@ -89,8 +89,8 @@ TEST_CASE("Features whose rings cross are refused, or split there", "[adapt][io]
   const std::string text = collection(feature("first", polygon(square)) + "," + shifted);
   CHECK_THROWS_AS(parse(text), parmesan::GeometryError);
   const Mesh mesh = delaunay_mesh(parse_geojson(text, "t.geojson", parmesan::Crossings::Split)).mesh;
-  CHECK(area(mesh, 1) == Approx(15.0).epsilon(1e-14));
-  CHECK(area(mesh, 2) == Approx(9.0).epsilon(1e-14));
+  CHECK(area_within(mesh, 1) == Approx(15.0).epsilon(1e-14));
+  CHECK(area_within(mesh, 2) == Approx(9.0).epsilon(1e-14));
 }
 
 TEST_CASE("Rings that share sides enclose what an odd number of them does", "[adapt][io][geojson]") {

@@ -18,7 +18,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 /// The ring 0, 1, ..., n - 1 with labels 1, 2, ..., n.
-Domain polygon(std::vector<Point> points) {
+Domain closed_polygon(std::vector<Point> points) {
   Domain domain;
   domain.points = std::move(points);
   const int n = static_cast<int>(domain.points.size());
@@ -26,7 +26,7 @@ Domain polygon(std::vector<Point> points) {
   return domain;
 }
 
-Domain square() { return polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
+Domain square() { return closed_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
 
 using Ends = std::vector<std::array<int, 3>>;
 
@@ -95,13 +95,13 @@ TEST_CASE("clean merges duplicate points into the first and names them", "[meshe
 
 TEST_CASE("clean keeps points one ulp apart and notes it", "[mesher][domain]") {
   const double next = std::nextafter(1.0, 2.0);
-  const CleanDomain cleaned = clean(polygon({{0, 0}, {1, 0}, {next, 0.0}, {1, 1}}));
+  const CleanDomain cleaned = clean(closed_polygon({{0, 0}, {1, 0}, {next, 0.0}, {1, 1}}));
   CHECK(cleaned.domain.points.size() == 4);
   CHECK_THAT(all_repairs(cleaned), Contains("kept points 1 and 2 apart") && Contains("resolution"));
 }
 
 TEST_CASE("clean merges points nearer than the tolerance, and those it keeps are as far apart", "[mesher][domain]") {
-  Domain slit = polygon({{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0.5, 1 + 1e-6}, {0.5 + 1e-6, 1}, {0, 1}});
+  Domain slit = closed_polygon({{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0.5, 1 + 1e-6}, {0.5 + 1e-6, 1}, {0, 1}});
   slit.merge_tolerance = 1e-5;
   const CleanDomain cleaned = clean(slit);
   CHECK(cleaned.domain.points == std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0, 1}});
@@ -111,7 +111,7 @@ TEST_CASE("clean merges points nearer than the tolerance, and those it keeps are
 
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> place(-1.0, 1.0);
-  Domain cloud = polygon({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+  Domain cloud = closed_polygon({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
   for (int i = 0; i < 500; ++i) cloud.points.push_back({place(engine), place(engine)});
   for (const double tolerance : {0.01, 0.1, 0.7}) {
     cloud.merge_tolerance = tolerance;
@@ -159,7 +159,7 @@ TEST_CASE("clean splits segments at the points inside them, in order and with th
 }
 
 TEST_CASE("clean does not split at a point that is one ulp off", "[mesher][domain]") {
-  Domain domain = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  Domain domain = closed_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   domain.points.push_back({0.5, std::numeric_limits<double>::denorm_min()});
   domain.points.push_back({std::nextafter(1.0, 0.0), 0.5});
   CHECK(ends_of(clean(domain).domain) == ends_of(square()));
@@ -175,7 +175,7 @@ TEST_CASE("clean resolves overlapping collinear segments", "[mesher][domain]") {
 }
 
 TEST_CASE("clean refuses crossings and names both segments and the point", "[mesher][domain][errors]") {
-  const Domain bow_tie = polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+  const Domain bow_tie = closed_polygon({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
   CHECK_THAT(error_of(bow_tie), Contains("segments 0 and 2 cross at (1, 1)"));
   CHECK(indices_of(bow_tie) == std::vector<int>{0, 2});
 
@@ -205,12 +205,12 @@ TEST_CASE("Segments that cross in a point of the domain are split there, those b
   CHECK(indices_of(comb).size() == 2);
 }
 
-TEST_CASE("A polygon that crosses itself everywhere is refused at once", "[mesher][domain][errors][slow]") {
+TEST_CASE("A closed_polygon that crosses itself everywhere is refused at once", "[mesher][domain][errors][slow]") {
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> place(0.0, 1.0);
   std::vector<Point> points(30'000);
   for (Point& p : points) p = {place(engine), place(engine)};
-  const Domain scribble = polygon(std::move(points));
+  const Domain scribble = closed_polygon(std::move(points));
   const std::clock_t start = std::clock();
   CHECK_THAT(error_of(scribble), Contains(" cross at "));
   CHECK_THROWS_WITH(clean(scribble, Crossings::Split), Contains("more than 1000000 pairs of segments cross"));
@@ -257,9 +257,9 @@ TEST_CASE("clean refuses indices out of range, with the segment", "[mesher][doma
 
 TEST_CASE("clean refuses domains without area", "[mesher][domain][errors]") {
   CHECK_THAT(error_of(Domain()), Contains("at least 3"));
-  CHECK_THAT(error_of(polygon({{0, 0}, {1, 0}})), Contains("at least 3"));
-  CHECK_THAT(error_of(polygon({{0, 0}, {1, 0}, {1, 0}, {0, 0}})), Contains("there are 2"));
-  CHECK_THAT(error_of(polygon({{0, 0}, {0.1, 0.1}, {0.7, 0.7}, {3, 3}})), Contains("on the line"));
+  CHECK_THAT(error_of(closed_polygon({{0, 0}, {1, 0}})), Contains("at least 3"));
+  CHECK_THAT(error_of(closed_polygon({{0, 0}, {1, 0}, {1, 0}, {0, 0}})), Contains("there are 2"));
+  CHECK_THAT(error_of(closed_polygon({{0, 0}, {0.1, 0.1}, {0.7, 0.7}, {3, 3}})), Contains("on the line"));
   Domain points_only = square();
   points_only.segments.clear();
   CHECK_THAT(error_of(points_only), Contains("no segments"));

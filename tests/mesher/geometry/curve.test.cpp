@@ -16,7 +16,7 @@ using namespace parmesan;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Curves of every kind, some with parametrizations far from even.
 std::vector<Curve> some_curves() {

@@ -16,7 +16,7 @@ using support::circle;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Twice the area that the segments of a straight domain sweep about the origin, of one label.
 double swept_area(const Domain& domain, int label) {

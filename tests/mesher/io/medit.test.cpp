@@ -30,7 +30,7 @@ const std::string edges = "Edges 2\n1 2 10\n2 3 -4\n";
 const std::string triangles = "Triangles 1\n1 2 3 6\n";
 const std::string head = "MeshVersionFormatted 2\nDimension 2\n";
 
-Mesh parse(const std::string& text) { return parse_medit(text, "t.mesh"); }
+Mesh parse_mesh(const std::string& text) { return parse_medit(text, "t.mesh"); }
 
 void check_triangle(const Mesh& mesh) {
   CHECK(mesh.points == std::vector<parmesan::Point>{{0, 0}, {1, 0}, {0, 1}});
@@ -66,26 +66,27 @@ TEST_CASE("A geometry without triangles comes back from Medit", "[mesher][io][me
 }
 
 TEST_CASE("The sections of a Medit mesh may come in any order", "[mesher][io][medit]") {
-  check_triangle(parse(head + vertices + edges + triangles + "End\n"));
-  check_triangle(parse(head + triangles + edges + vertices + "End"));
-  check_triangle(parse("MeshVersionFormatted 1\n" + edges + vertices + triangles + "Dimension\n2\nEnd\n"));
+  check_triangle(parse_mesh(head + vertices + edges + triangles + "End\n"));
+  check_triangle(parse_mesh(head + triangles + edges + vertices + "End"));
+  check_triangle(parse_mesh("MeshVersionFormatted 1\n" + edges + vertices + triangles + "Dimension\n2\nEnd\n"));
 }
 
 TEST_CASE("The Medit dialects of other programs are understood", "[mesher][io][medit]") {
   const std::string rest = vertices + edges + triangles + "\nEnd\n";
   for (const char* version : {"0", "1", "2", "3"}) {
-    check_triangle(parse("MeshVersionFormatted " + std::string(version) + "\n\nDimension\n2\n\n" + rest));
+    check_triangle(parse_mesh("MeshVersionFormatted " + std::string(version) + "\n\nDimension\n2\n\n" + rest));
   }
-  check_triangle(parse("\xef\xbb\xbf# by hand\r\n meshversionformatted\r\n1\r\nDIMENSION 2\r\n" + rest));
-  check_triangle(parse(head + "Geometry\n\"a folder/End of it.mesh\"\nCorners\n3\n1\n2\n3\n" + rest));
-  check_triangle(parse(head + "RequiredVertices 0\nRidges 1\n1\nQuadrilaterals 0\nTangents 1\nnan inf\n" + rest));
-  check_triangle(parse(head + vertices + "Normals 1\n0 1 0\n" + edges + "# Edges 7\n" + triangles + "End\nrubbish 3"));
-  check_triangle(parse("MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 -0.0 5\n" + edges +
-                       triangles + "End\n"));
+  check_triangle(parse_mesh("\xef\xbb\xbf# by hand\r\n meshversionformatted\r\n1\r\nDIMENSION 2\r\n" + rest));
+  check_triangle(parse_mesh(head + "Geometry\n\"a folder/End of it.mesh\"\nCorners\n3\n1\n2\n3\n" + rest));
+  check_triangle(parse_mesh(head + "RequiredVertices 0\nRidges 1\n1\nQuadrilaterals 0\nTangents 1\nnan inf\n" + rest));
+  check_triangle(
+      parse_mesh(head + vertices + "Normals 1\n0 1 0\n" + edges + "# Edges 7\n" + triangles + "End\nrubbish 3"));
+  check_triangle(parse_mesh("MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 -0.0 5\n" + edges +
+                            triangles + "End\n"));
 }
 
 TEST_CASE("Every fault in a Medit mesh is refused with its line", "[mesher][io][medit][errors]") {
-  const auto line_of = [](const std::string& text) { return error_line([&text] { parse(text); }); };
+  const auto line_of = [](const std::string& text) { return error_line([&text] { parse_mesh(text); }); };
   CHECK(line_of("") == 1);
   CHECK(line_of("\n\nsolid cube\n") == 3);
   CHECK(line_of("MeshVersionFormatted 9\n") == 1);
@@ -114,10 +115,10 @@ TEST_CASE("Every fault in a Medit mesh is refused with its line", "[mesher][io][
 TEST_CASE("A Medit mesh that is cut off anywhere is refused", "[mesher][io][medit][errors]") {
   const std::string text =
       head + "Vertices\n3\n0 0.25 0\n1 0 0\n-3e-5 1 15\n" + edges + "Corners 1\n1\n" + triangles + "End";
-  REQUIRE_NOTHROW(parse(text));
+  REQUIRE_NOTHROW(parse_mesh(text));
   for (std::size_t length = 0; length < text.size(); ++length) {
     CAPTURE(length);
-    CHECK_THROWS_AS(parse(text.substr(0, length)), FileError);
+    CHECK_THROWS_AS(parse_mesh(text.substr(0, length)), FileError);
   }
 }
 
@@ -128,7 +129,7 @@ TEST_CASE("A Medit mesh with any byte changed is read or refused", "[mesher][io]
       std::string changed = text;
       changed[i] = c;
       try {
-        const Mesh mesh = parse(changed);
+        const Mesh mesh = parse_mesh(changed);
         CHECK(mesh.regions.size() == mesh.triangles.size());
       } catch (const FileError& error) {
         CHECK(error.line() > 0);
@@ -138,6 +139,6 @@ TEST_CASE("A Medit mesh with any byte changed is read or refused", "[mesher][io]
 }
 
 TEST_CASE("The message tells where and what is allowed", "[mesher][io][medit][errors]") {
-  CHECK(error_message([] { parse(head + vertices + "Edges 1\n1 4 0\nEnd\n"); }) ==
+  CHECK(error_message([] { parse_mesh(head + vertices + "Edges 1\n1 4 0\nEnd\n"); }) ==
         "t.mesh:8: the vertex of an edge is 4, must be from 1 to 3");
 }

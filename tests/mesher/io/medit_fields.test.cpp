@@ -28,7 +28,7 @@ namespace gmf = parmesan::support::gmf;
 
 namespace {
 
-const std::string head = "MeshVersionFormatted 2\nDimension 2\n";
+const std::string fields_head = "MeshVersionFormatted 2\nDimension 2\n";
 
 /// Two vertices with a vector and a scalar, one triangle with a tensor.
 MeshFields some_fields() {
@@ -80,14 +80,14 @@ TEST_CASE("A binary solution of another machine is read", "[mesher][io][medit]")
 
 TEST_CASE("Every fault in a solution of several fields is refused with its line", "[mesher][io][medit][errors]") {
   const auto line_of = [](const std::string& text) { return error_line([&text] { parse_sol(text, "t.sol"); }); };
-  CHECK(line_of(head + "End\n") == 3);
-  CHECK(line_of(head + "SolAtVertices\n1\n0\nEnd\n") == 5);
-  CHECK(line_of(head + "SolAtVertices\n1\n2000\nEnd\n") == 5);
-  CHECK(line_of(head + "SolAtVertices\n1\n2 1 4\n1 1 1 1 1\nEnd\n") == 5);
-  CHECK(line_of(head + "SolAtVertices\n1\n2 1 2\n1 1\nEnd\n") == 7);
-  CHECK(line_of(head + "SolAtVertices\n1\n1 1\ninf\nEnd\n") == 6);
-  CHECK(line_of(head + "SolAtVertices\n1\n1 1\n3\nSolAtVertices\n1\n1 1\n3\nEnd\n") == 7);
-  CHECK(line_of(head + "SolAtVertices\n1000000000\n1 1\n3\nEnd\n") == 4);
+  CHECK(line_of(fields_head + "End\n") == 3);
+  CHECK(line_of(fields_head + "SolAtVertices\n1\n0\nEnd\n") == 5);
+  CHECK(line_of(fields_head + "SolAtVertices\n1\n2000\nEnd\n") == 5);
+  CHECK(line_of(fields_head + "SolAtVertices\n1\n2 1 4\n1 1 1 1 1\nEnd\n") == 5);
+  CHECK(line_of(fields_head + "SolAtVertices\n1\n2 1 2\n1 1\nEnd\n") == 7);
+  CHECK(line_of(fields_head + "SolAtVertices\n1\n1 1\ninf\nEnd\n") == 6);
+  CHECK(line_of(fields_head + "SolAtVertices\n1\n1 1\n3\nSolAtVertices\n1\n1 1\n3\nEnd\n") == 7);
+  CHECK(line_of(fields_head + "SolAtVertices\n1000000000\n1 1\n3\nEnd\n") == 4);
 }
 
 TEST_CASE("A binary solution that is cut off anywhere is refused", "[mesher][io][medit][errors]") {

@@ -18,10 +18,10 @@ using parmesan::support::TemporaryFolder;
 
 namespace {
 
-const std::string head = "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n";
+const std::string metric_head = "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n";
 
-std::vector<Metric> parse(const std::string& text) { return parse_medit_metric(text, "t.sol"); }
-int line_of(const std::string& text) {
+std::vector<Metric> parse_metric(const std::string& text) { return parse_medit_metric(text, "t.sol"); }
+int metric_line_of(const std::string& text) {
   return error_line([&text] { parse_medit_metric(text, "t.sol", 2); });
 }
 
@@ -38,39 +38,40 @@ TEST_CASE("Metrics come back from a .sol file bit by bit", "[mesher][io][medit]"
 }
 
 TEST_CASE("A .sol file gives tensors in the order m11 m12 m22, or sizes", "[mesher][io][medit]") {
-  const std::vector<Metric> tensors = parse(head + "2\n1 3\n4 1 9\n1 0 1\nEnd\n");
+  const std::vector<Metric> tensors = parse_metric(metric_head + "2\n1 3\n4 1 9\n1 0 1\nEnd\n");
   REQUIRE(tensors.size() == 2);
   CHECK(tensors[0].tensor() == SymmetricTensor{4.0, 1.0, 9.0});
   CHECK(tensors[1].tensor() == SymmetricTensor{1.0, 0.0, 1.0});
   // A size of 1/4 is met by 16 I.
   const std::vector<Metric> sizes =
-      parse("MeshVersionFormatted\n2\n\nDimension 3\n\nSolAtVertices\n1\n1 1\n\n0.25\nEnd\n");
+      parse_metric("MeshVersionFormatted\n2\n\nDimension 3\n\nSolAtVertices\n1\n1 1\n\n0.25\nEnd\n");
   REQUIRE(sizes.size() == 1);
   CHECK(sizes[0].tensor() == SymmetricTensor{16.0, 0.0, 16.0});
 }
 
 TEST_CASE("Every fault in a .sol file is refused with its line", "[mesher][io][medit][errors]") {
-  CHECK(line_of(head + "2\n1 3\n1 0 1\n1 2 1\nEnd\n") == 7);    // det < 0
-  CHECK(line_of(head + "2\n1 3\n1 0 1\n-1 0 -1\nEnd\n") == 7);  // negative definite
-  CHECK(line_of(head + "2\n1 3\n0 0 0\n1 0 1\nEnd\n") == 6);    // semidefinite
-  CHECK(line_of(head + "2\n1 1\n1\n0\nEnd\n") == 7);
-  CHECK(line_of(head + "2\n1 1\n1\n-2\nEnd\n") == 7);
-  CHECK(line_of(head + "2\n1 1\n1\nnan\nEnd\n") == 7);
-  CHECK(line_of(head + "3\n1 1\n1\n1\n1\nEnd\n") == 4);  // 2 were expected
-  CHECK(line_of(head + "2\n2 1 1\n1 1\n1 1\nEnd\n") == 5);
-  CHECK(line_of(head + "2\n1 2\n1 1\n1 1\nEnd\n") == 5);
-  CHECK(line_of(head + "2\n1 3\n1 0 1\n1 0 1\n1 0 1\nEnd\n") == 8);
-  CHECK(line_of("MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n2\n1 3\n1 0 1 0 0 1\n1 0 1 0 0 1\nEnd\n") == 5);
-  CHECK(line_of("MeshVersionFormatted 2\nDimension 2\nEnd\n") == 3);
-  CHECK(line_of("not this\n") == 1);
+  CHECK(metric_line_of(metric_head + "2\n1 3\n1 0 1\n1 2 1\nEnd\n") == 7);    // det < 0
+  CHECK(metric_line_of(metric_head + "2\n1 3\n1 0 1\n-1 0 -1\nEnd\n") == 7);  // negative definite
+  CHECK(metric_line_of(metric_head + "2\n1 3\n0 0 0\n1 0 1\nEnd\n") == 6);    // semidefinite
+  CHECK(metric_line_of(metric_head + "2\n1 1\n1\n0\nEnd\n") == 7);
+  CHECK(metric_line_of(metric_head + "2\n1 1\n1\n-2\nEnd\n") == 7);
+  CHECK(metric_line_of(metric_head + "2\n1 1\n1\nnan\nEnd\n") == 7);
+  CHECK(metric_line_of(metric_head + "3\n1 1\n1\n1\n1\nEnd\n") == 4);  // 2 were expected
+  CHECK(metric_line_of(metric_head + "2\n2 1 1\n1 1\n1 1\nEnd\n") == 5);
+  CHECK(metric_line_of(metric_head + "2\n1 2\n1 1\n1 1\nEnd\n") == 5);
+  CHECK(metric_line_of(metric_head + "2\n1 3\n1 0 1\n1 0 1\n1 0 1\nEnd\n") == 8);
+  CHECK(metric_line_of("MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n2\n1 3\n1 0 1 0 0 1\n1 0 1 0 0 1\nEnd\n") ==
+        5);
+  CHECK(metric_line_of("MeshVersionFormatted 2\nDimension 2\nEnd\n") == 3);
+  CHECK(metric_line_of("not this\n") == 1);
 }
 
 TEST_CASE("A .sol file that is cut off anywhere is refused", "[mesher][io][medit][errors]") {
-  const std::string text = head + "2\n1 3\n1.5 0 1\n10 0.25 1\nEnd";
-  REQUIRE(parse(text).size() == 2);
+  const std::string text = metric_head + "2\n1 3\n1.5 0 1\n10 0.25 1\nEnd";
+  REQUIRE(parse_metric(text).size() == 2);
   for (std::size_t length = 0; length < text.size(); ++length) {
     CAPTURE(length);
-    CHECK_THROWS_AS(parse(text.substr(0, length)), FileError);
+    CHECK_THROWS_AS(parse_metric(text.substr(0, length)), FileError);
   }
 }
 
@@ -81,13 +82,13 @@ TEST_CASE("Tensors of any sign are read from a .sol file, and nothing else", "[m
     return folder / "h.sol";
   };
   const std::vector<SymmetricTensor> tensors =
-      parmesan::read_medit_tensor(written(head + "3\n1 3\n-4 1 9\n0 0 0\n-1 0 -2\nEnd\n"), 3);
+      parmesan::read_medit_tensor(written(metric_head + "3\n1 3\n-4 1 9\n0 0 0\n-1 0 -2\nEnd\n"), 3);
   CHECK(tensors == std::vector<SymmetricTensor>{{-4.0, 1.0, 9.0}, {0.0, 0.0, 0.0}, {-1.0, 0.0, -2.0}});
   const auto line = [&](const std::string& text) {
     const std::string path = written(text);
     return error_line([&path] { parmesan::read_medit_tensor(path, 2); });
   };
-  CHECK(line(head + "2\n1 1\n1\n1\nEnd\n") == 5);
-  CHECK(line(head + "1\n1 3\n1 0 1\nEnd\n") == 4);
-  CHECK(line(head + "2\n1 3\n1 0 1\n1 nan 1\nEnd\n") == 7);
+  CHECK(line(metric_head + "2\n1 1\n1\n1\nEnd\n") == 5);
+  CHECK(line(metric_head + "1\n1 3\n1 0 1\nEnd\n") == 4);
+  CHECK(line(metric_head + "2\n1 3\n1 0 1\n1 nan 1\nEnd\n") == 7);
 }

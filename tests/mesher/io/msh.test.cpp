@@ -36,16 +36,16 @@ const std::string names = "$PhysicalNames\n2\n1 7 \"lower # side\"\n2 9 \"steel\
 const std::string entities =
     "$Entities\n1 1 1 0\n1 0 0 0 0\n3 0 0 0 1 0 0 1 7 2 1 -2\n4 0 0 0 1 1 0 2 9 8 1 3\n$EndEntities\n";
 // Nodes with gaps in their tags, in blocks; node 50 is the centre of an arc, which nothing uses.
-const std::string nodes =
+const std::string msh_nodes =
     "$Nodes\n3 5 10 50\n0 1 0 1\n50\n5 5 5\n1 3 1 2\n10\n20\n0 0 0 0.5\n1 0 0 0.7\n2 4 0 2\n30\n40\n1 1 0\n0 1 "
     "0\n$EndNodes\n";
 const std::string elements =
     "$Elements\n3 4 1 4\n0 1 15 1\n1 10\n1 3 1 1\n2 20 10\n2 4 2 2\n3 10 20 30\n4 10 40 30\n$EndElements\n";
 const std::string node_data = "$NodeData\n1\n\"the u\"\n1\n0.5\n3\n0\n1\n4\n40 4\n30 3\n10 1\n20 2\n$EndNodeData\n";
 
-MeshData parse(const std::string& text) { return parse_msh(text, "t.msh"); }
-int line_of(const std::string& text) {
-  return error_line([&text] { parse(text); });
+MeshData parse_msh_text(const std::string& text) { return parse_msh(text, "t.msh"); }
+int msh_line_of(const std::string& text) {
+  return error_line([&text] { parse_msh_text(text); });
 }
 
 MeshFields sample_fields(const Mesh& mesh) {
@@ -95,8 +95,8 @@ TEST_CASE("Lines without triangles come back from Gmsh's format", "[mesher][io][
 }
 
 TEST_CASE("Format 4.1 is read with groups, parameters, points and gaps in the tags", "[mesher][io][msh]") {
-  const MeshData data = parse(format_4 + "$Comments\n\"half a # quote\n$EndComments\n" + names + entities + nodes +
-                              elements + "$Periodic\n0\n$EndPeriodic\n" + node_data);
+  const MeshData data = parse_msh_text(format_4 + "$Comments\n\"half a # quote\n$EndComments\n" + names + entities +
+                                       msh_nodes + elements + "$Periodic\n0\n$EndPeriodic\n" + node_data);
   const Mesh& mesh = data.mesh;
   CHECK(mesh.points == std::vector<parmesan::Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   // The second triangle is clockwise in the file, and the line has the domain to its right.
@@ -118,7 +118,7 @@ TEST_CASE("Format 2 is read, elements in two groups once", "[mesher][io][msh]") 
       "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
       "$Elements\n5\n1 15 2 0 1 1\n2 1 2 7 3 1 2\n3 1 3 8 3 0 2 1\n4 2 2 9 4 1 2 3\n5 2 2 9 4 1 3 4\n"
       "$EndElements\n$ElementData\n1\n\"q\"\n0\n3\n0\n1\n3\n2 5\n5 0.5\n4 0.25\n$EndElementData\n";
-  const MeshData data = parse(text);
+  const MeshData data = parse_msh_text(text);
   CHECK(data.mesh.triangles == std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
   CHECK(data.mesh.labels == std::vector<int>{7, 0, 0, 0});
   REQUIRE(data.fields.cells.size() == 1);
@@ -130,7 +130,7 @@ TEST_CASE("Without groups the entities are the labels", "[mesher][io][msh]") {
       format_2 +
       "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
       "$Elements\n4\n1 1 2 0 11 1 2\n2 1 2 0 12 2 3\n3 1 2 0 13 3 1\n4 2 2 0 5 1 2 3\n$EndElements\n";
-  const Mesh mesh = parse(text).mesh;
+  const Mesh mesh = parse_msh_text(text).mesh;
   CHECK(mesh.labels == std::vector<int>{11, 12, 13});
   CHECK(mesh.regions == std::vector<int>{0});  // a single one tells nothing apart
 }
@@ -138,62 +138,63 @@ TEST_CASE("Without groups the entities are the labels", "[mesher][io][msh]") {
 TEST_CASE("Of several time steps the last one is read", "[mesher][io][msh]") {
   std::string later = node_data;
   later.replace(later.find("40 4"), 4, "40 8");
-  const MeshData data = parse(format_4 + nodes + elements + node_data + later);
+  const MeshData data = parse_msh_text(format_4 + msh_nodes + elements + node_data + later);
   REQUIRE(data.fields.points.size() == 1);
   CHECK(data.fields.points[0].values == std::vector<double>{1, 2, 3, 8});
 }
 
 TEST_CASE("Every fault in a Gmsh file is refused with its line", "[mesher][io][msh][errors]") {
-  CHECK(line_of("") == 1);
-  CHECK(line_of("# airfoil.msh geometry file\nmshid=1\n") == 2);
-  CHECK(line_of("$MeshFormat\n4.0 0 8\n$EndMeshFormat\n") == 2);
-  CHECK(line_of("$MeshFormat\n4.1 0 4\n$EndMeshFormat\n") == 2);
-  CHECK(line_of(format_4) == 3);
-  CHECK(line_of(format_4 + elements) == 4);
-  CHECK(line_of(format_4 + nodes) == 19);
-  CHECK(line_of(format_4 + nodes + nodes + elements) == 20);
-  CHECK(line_of(format_4 + "$Nodes\n1 2 1 2\n2 1 0 2\n1\n1\n0 0 0\n1 0 0\n$EndNodes\n") == 10);  // a tag twice
-  CHECK(line_of(format_4 + "$Nodes\n1 1 1 1\n2 1 0 1\n1\n0 0 zero\n$EndNodes\n") == 8);
-  CHECK(line_of(format_4 + "$Nodes\n1 1 1 1\n2 1 0 -1\n") == 6);
-  CHECK(line_of(format_4 + "$Nodes\n1 99999999999999 1 1\n") == 5);
-  CHECK(line_of(format_4 + "$Nodes\n1 99999999999999999999 1 1\n") == 5);
-  CHECK(line_of(format_4 + nodes + "$Elements\n1 1 1 1\n2 4 2 1\n1 10 20 31\n$EndElements\n") == 23);
-  CHECK(line_of(format_4 + nodes + "$Elements\n1 1 1 1\n2 4 3 1\n1 10 20 30 40\n$EndElements\n") == 23);  // quads
-  CHECK(line_of(format_4 + nodes + "$Elements\n1 1 1 1\n2 4 2 2\n1 10 20 30\n$EndElements\n") == 24);
-  CHECK(line_of(format_2 + "$PhysicalNames\n1\n1 7 wall\n$EndPhysicalNames\n") == 6);
-  CHECK(line_of(format_2 + "$PhysicalNames\n1\n1 7 \"Au\xdf"
-                           "en\"\n$EndPhysicalNames\n") == 6);  // Latin-1
-  CHECK(line_of(format_4 + nodes + elements + "$NodeData\n1\n\"u\"\n0\n3\n0\n2\n0\n$EndNodeData\n") == 36);
+  CHECK(msh_line_of("") == 1);
+  CHECK(msh_line_of("# airfoil.msh geometry file\nmshid=1\n") == 2);
+  CHECK(msh_line_of("$MeshFormat\n4.0 0 8\n$EndMeshFormat\n") == 2);
+  CHECK(msh_line_of("$MeshFormat\n4.1 0 4\n$EndMeshFormat\n") == 2);
+  CHECK(msh_line_of(format_4) == 3);
+  CHECK(msh_line_of(format_4 + elements) == 4);
+  CHECK(msh_line_of(format_4 + msh_nodes) == 19);
+  CHECK(msh_line_of(format_4 + msh_nodes + msh_nodes + elements) == 20);
+  CHECK(msh_line_of(format_4 + "$Nodes\n1 2 1 2\n2 1 0 2\n1\n1\n0 0 0\n1 0 0\n$EndNodes\n") == 10);  // a tag twice
+  CHECK(msh_line_of(format_4 + "$Nodes\n1 1 1 1\n2 1 0 1\n1\n0 0 zero\n$EndNodes\n") == 8);
+  CHECK(msh_line_of(format_4 + "$Nodes\n1 1 1 1\n2 1 0 -1\n") == 6);
+  CHECK(msh_line_of(format_4 + "$Nodes\n1 99999999999999 1 1\n") == 5);
+  CHECK(msh_line_of(format_4 + "$Nodes\n1 99999999999999999999 1 1\n") == 5);
+  CHECK(msh_line_of(format_4 + msh_nodes + "$Elements\n1 1 1 1\n2 4 2 1\n1 10 20 31\n$EndElements\n") == 23);
+  CHECK(msh_line_of(format_4 + msh_nodes + "$Elements\n1 1 1 1\n2 4 3 1\n1 10 20 30 40\n$EndElements\n") ==
+        23);  // quads
+  CHECK(msh_line_of(format_4 + msh_nodes + "$Elements\n1 1 1 1\n2 4 2 2\n1 10 20 30\n$EndElements\n") == 24);
+  CHECK(msh_line_of(format_2 + "$PhysicalNames\n1\n1 7 wall\n$EndPhysicalNames\n") == 6);
+  CHECK(msh_line_of(format_2 + "$PhysicalNames\n1\n1 7 \"Au\xdf"
+                               "en\"\n$EndPhysicalNames\n") == 6);  // Latin-1
+  CHECK(msh_line_of(format_4 + msh_nodes + elements + "$NodeData\n1\n\"u\"\n0\n3\n0\n2\n0\n$EndNodeData\n") == 36);
 }
 
 TEST_CASE("What a Gmsh file cannot mean here is refused", "[mesher][io][msh][errors]") {
   using Catch::Contains;
-  const auto message_of = [](const std::string& text) { return error_message([&text] { parse(text); }); };
-  std::string raised = nodes;
+  const auto message_of = [](const std::string& text) { return error_message([&text] { parse_msh_text(text); }); };
+  std::string raised = msh_nodes;
   raised.replace(raised.find("1 1 0\n0 1 0"), 5, "1 1 2");
   CHECK_THAT(message_of(format_4 + raised + elements), Contains("node 30") && Contains("plane"));
   std::string partial = node_data;
   partial.replace(partial.find("4\n40 4\n"), 7, "3\n");
-  CHECK_THAT(message_of(format_4 + nodes + elements + partial), Contains("'the u' has no value at node 40"));
+  CHECK_THAT(message_of(format_4 + msh_nodes + elements + partial), Contains("'the u' has no value at node 40"));
   const std::string vector =
       "$NodeData\n1\n\"v\"\n0\n3\n0\n3\n4\n10 1 2 0\n20 1 2 0\n30 1 2 3\n40 1 2 0\n$EndNodeData\n";
-  CHECK_THAT(message_of(format_4 + nodes + elements + vector), Contains("leaves the plane"));
+  CHECK_THAT(message_of(format_4 + msh_nodes + elements + vector), Contains("leaves the plane"));
   const std::string overlap = "$Elements\n1 2 1 2\n2 4 2 2\n1 10 20 30\n2 10 20 40\n$EndElements\n";
-  CHECK_THROWS_AS(parse(format_4 + nodes + overlap), parmesan::InputError);
+  CHECK_THROWS_AS(parse_msh_text(format_4 + msh_nodes + overlap), parmesan::InputError);
 }
 
 TEST_CASE("A Gmsh file that is cut off within a section is refused", "[mesher][io][msh][errors]") {
-  const std::string text = format_4 + names + entities + nodes + elements;
+  const std::string text = format_4 + names + entities + msh_nodes + elements;
   for (std::size_t length = 0; length < text.size() - 1; ++length) {
     CAPTURE(length);
-    CHECK_THROWS_AS(parse(text.substr(0, length)), FileError);
+    CHECK_THROWS_AS(parse_msh_text(text.substr(0, length)), FileError);
   }
   const TemporaryFolder folder;
   write_msh(folder / "m.msh", sample_mesh(2), {}, Encoding::Binary);
   const std::string bytes = content_of(folder / "m.msh");
   for (std::size_t length = 0; length < bytes.size() - 1; ++length) {
     CAPTURE(length);
-    CHECK_THROWS_AS(parse(bytes.substr(0, length)), FileError);
+    CHECK_THROWS_AS(parse_msh_text(bytes.substr(0, length)), FileError);
   }
 }
 
@@ -207,7 +208,7 @@ TEST_CASE("A Gmsh file with any byte changed is read or refused", "[mesher][io][
       std::string changed = bytes;
       changed[i] = c;
       try {
-        const MeshData data = parse(changed);
+        const MeshData data = parse_msh_text(changed);
         CHECK(data.mesh.regions.size() == data.mesh.triangles.size());
       } catch (const parmesan::InputError&) {
         SUCCEED();

@@ -39,9 +39,9 @@ const std::string segments =
 const std::string holes = "1\n1 0.75 0.5\n";
 const std::string regions = "2\n1 0.1 0.1 7 0.01\n2 1 2 -8\n";
 
-Domain parse(const std::string& text) { return parse_poly(text, "t.poly"); }
-int line_of(const std::string& text) {
-  return error_line([&text] { parse(text); });
+Domain parse_domain(const std::string& text) { return parse_poly(text, "t.poly"); }
+int poly_line_of(const std::string& text) {
+  return error_line([&text] { parse_domain(text); });
 }
 
 std::vector<Point> seeds(const Domain& domain) {
@@ -55,7 +55,7 @@ bool same(const parmesan::Segment& s, int a, int b, int label) { return s.a == a
 }  // namespace
 
 TEST_CASE("A .poly file gives points, labelled segments, holes and regions", "[mesher][io][triangle]") {
-  const Domain domain = parse(nodes + segments + holes + regions);
+  const Domain domain = parse_domain(nodes + segments + holes + regions);
   CHECK(domain.points == std::vector<Point>{{0, 0}, {4, 0}, {0, 4}, {1, 1}});
   REQUIRE(domain.segments.size() == 3);
   CHECK(same(domain.segments[0], 0, 1, 11));
@@ -69,11 +69,11 @@ TEST_CASE("A .poly file gives points, labelled segments, holes and regions", "[m
 }
 
 TEST_CASE("The numbering of a .poly file starts at 0 or 1", "[mesher][io][triangle]") {
-  const Domain domain = parse("3 2\r\n0 0 0\r\n1 1 0\r\n2 0 1\r\n2\r\n0 0 1\r\n1 1 2\r\n0\r\n");
+  const Domain domain = parse_domain("3 2\r\n0 0 0\r\n1 1 0\r\n2 0 1\r\n2\r\n0 0 1\r\n1 1 2\r\n0\r\n");
   REQUIRE(domain.segments.size() == 2);
   CHECK(same(domain.segments[0], 0, 1, 0));
   CHECK(same(domain.segments[1], 1, 2, 0));
-  CHECK(same(parse("3\n1 0 0\n2 1 0\n3 0 1\n1\n0 1 3\n").segments[0], 0, 2, 0));
+  CHECK(same(parse_domain("3\n1 0 0\n2 1 0\n3 0 1\n1\n0 1 3\n").segments[0], 0, 2, 0));
 }
 
 TEST_CASE("A .poly file without vertices has them in the .node file beside it", "[mesher][io][triangle]") {
@@ -89,7 +89,7 @@ TEST_CASE("A .poly file without vertices has them in the .node file beside it", 
 
 TEST_CASE("A domain comes back from a .poly file", "[mesher][io][triangle]") {
   const TemporaryFolder folder;
-  Domain domain = parse(nodes + segments + holes + regions);
+  Domain domain = parse_domain(nodes + segments + holes + regions);
   domain.points[3] = {1.0 / 3.0, -5e-324};
   write_poly(folder / "d.poly", domain);
   const Domain back = read_poly(folder / "d.poly");
@@ -106,29 +106,29 @@ TEST_CASE("A domain comes back from a .poly file", "[mesher][io][triangle]") {
 }
 
 TEST_CASE("Every fault in a .poly file is refused with its line", "[mesher][io][triangle][errors]") {
-  CHECK(line_of("") == 1);
-  CHECK(line_of("0 2 0 0\n") == 1);
-  CHECK(line_of("PNG\n") == 1);
-  CHECK(line_of("3 3 0 0\n1 0 0 0\n2 0 0 0\n3 0 0 0\n") == 1);
-  CHECK(line_of("2000000000 2\n1 0 0\n") == 1);
-  CHECK(line_of("2 2\n2 0 0\n3 1 1\n0\n") == 2);
-  CHECK(line_of("2 2\n1 0 0\n3 1 1\n0\n") == 3);
-  CHECK(line_of("2 2\n1 0\n2 1 1\n0\n") == 2);
-  CHECK(line_of("2 2\n1 0 0\n2 1 x\n0\n") == 3);
-  CHECK(line_of("2 2\n1 0 0\n2 1 inf\n0\n") == 3);
-  CHECK(line_of(nodes + "1\n1 1 5\n") == 8);
-  CHECK(line_of(nodes + "1\n1 0 1\n") == 8);
-  CHECK(line_of(nodes + "2\n1 1 2\n3 2 3\n") == 9);
-  CHECK(line_of(nodes + segments + "1\n1 0.5\n") == 12);
-  CHECK(line_of(nodes + segments + holes + "1\n1 0.5 0.5 0.25\n") == 14);
-  CHECK(line_of(nodes + segments + holes + "1\n1 0.5 0.5 1e10\n") == 14);
-  CHECK(line_of(nodes + segments + holes + regions + "3 4 5\n") == 16);
+  CHECK(poly_line_of("") == 1);
+  CHECK(poly_line_of("0 2 0 0\n") == 1);
+  CHECK(poly_line_of("PNG\n") == 1);
+  CHECK(poly_line_of("3 3 0 0\n1 0 0 0\n2 0 0 0\n3 0 0 0\n") == 1);
+  CHECK(poly_line_of("2000000000 2\n1 0 0\n") == 1);
+  CHECK(poly_line_of("2 2\n2 0 0\n3 1 1\n0\n") == 2);
+  CHECK(poly_line_of("2 2\n1 0 0\n3 1 1\n0\n") == 3);
+  CHECK(poly_line_of("2 2\n1 0\n2 1 1\n0\n") == 2);
+  CHECK(poly_line_of("2 2\n1 0 0\n2 1 x\n0\n") == 3);
+  CHECK(poly_line_of("2 2\n1 0 0\n2 1 inf\n0\n") == 3);
+  CHECK(poly_line_of(nodes + "1\n1 1 5\n") == 8);
+  CHECK(poly_line_of(nodes + "1\n1 0 1\n") == 8);
+  CHECK(poly_line_of(nodes + "2\n1 1 2\n3 2 3\n") == 9);
+  CHECK(poly_line_of(nodes + segments + "1\n1 0.5\n") == 12);
+  CHECK(poly_line_of(nodes + segments + holes + "1\n1 0.5 0.5 0.25\n") == 14);
+  CHECK(poly_line_of(nodes + segments + holes + "1\n1 0.5 0.5 1e10\n") == 14);
+  CHECK(poly_line_of(nodes + segments + holes + regions + "3 4 5\n") == 16);
 }
 
 TEST_CASE("A .poly file that is cut off within a list is refused", "[mesher][io][triangle][errors]") {
   const std::string needed = nodes + segments + holes + "2\n1 0.1 0.1 7\n2 1 2";
   const std::string text = needed + " -8\n";
-  REQUIRE_NOTHROW(parse(text));
+  REQUIRE_NOTHROW(parse_domain(text));
   // Between the lists, and within a last number, a cut cannot be seen.
   const std::size_t end_of_segments = (nodes + segments).size();
   const std::size_t end_of_holes = end_of_segments + holes.size();
@@ -138,9 +138,9 @@ TEST_CASE("A .poly file that is cut off within a list is refused", "[mesher][io]
     const bool must_throw = length < end_of_segments - 2 || (length > end_of_segments && length < end_of_holes - 4) ||
                             (length > end_of_holes && length <= needed.size());
     if (must_throw) {
-      CHECK_THROWS_AS(parse(cut), FileError);
+      CHECK_THROWS_AS(parse_domain(cut), FileError);
     } else {
-      CHECK_NOTHROW(error_line([&cut] { parse(cut); }));
+      CHECK_NOTHROW(error_line([&cut] { parse_domain(cut); }));
     }
   }
 }

@@ -14,8 +14,8 @@ using namespace parmesan;
 namespace {
 
 // A square of n x n cells with moved inner vertices, as particles.
-struct Square {
-  Square(int n, double disorder, const Metric& metric) : domain(support::unit_square()), field(metric) {
+struct MovedSquare {
+  MovedSquare(int n, double disorder, const Metric& metric) : domain(support::unit_square()), field(metric) {
     const Mesh mesh = support::random_square(n, disorder, 3);
     triangulation = from_mesh(mesh, support::segments_of(mesh));
   }
@@ -41,7 +41,7 @@ double worst_star(const ParticleSystem& particles) {
 TEST_CASE("sweeps never invert a triangle, whatever the metric", "[mesher][particles]") {
   const Metric metric = GENERATE(Metric::isotropic(0.05), Metric::isotropic(0.5), Metric::from_sizes(0.01, 0.3, 0.5));
   const Motion motion = GENERATE(Motion::Force, Motion::IdealApex);
-  const Square square(20, 0.24, metric);
+  const MovedSquare square(20, 0.24, metric);
   ParticleSystem particles = square.particles();
   const std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
                                     std::numeric_limits<double>::quiet_NaN());
@@ -52,7 +52,7 @@ TEST_CASE("sweeps never invert a triangle, whatever the metric", "[mesher][parti
 }
 
 TEST_CASE("ideal-apex sweeps lift the worst star of a disordered mesh", "[mesher][particles]") {
-  const Square square(20, 0.24, Metric::isotropic(0.05));
+  const MovedSquare square(20, 0.24, Metric::isotropic(0.05));
   ParticleSystem particles = square.particles();
   const double before = worst_star(particles);
   const std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
@@ -62,7 +62,7 @@ TEST_CASE("ideal-apex sweeps lift the worst star of a disordered mesh", "[mesher
 }
 
 TEST_CASE("momentum goes on with a share of the last move, where the metric is resolved", "[mesher][particles]") {
-  const Square square(4, 0.0, Metric::isotropic(0.25));
+  const MovedSquare square(4, 0.0, Metric::isotropic(0.25));
   const std::vector<double> targets(25, std::numeric_limits<double>::quiet_NaN());
   const VertexId centre = 2 * 5 + 2;
   const auto moved_by = [&](double momentum) {
@@ -97,7 +97,7 @@ TEST_CASE("a sweep of resolved stars leaves the others where they are", "[mesher
 }
 
 TEST_CASE("fixed particles stay, bound ones go to their target and no further", "[mesher][particles]") {
-  const Square square(4, 0.0, Metric::isotropic(0.25));
+  const MovedSquare square(4, 0.0, Metric::isotropic(0.25));
   ParticleSystem particles = square.particles();
   std::vector<double> targets(static_cast<std::size_t>(particles.mesh().num_slots()),
                               std::numeric_limits<double>::quiet_NaN());
@@ -111,7 +111,7 @@ TEST_CASE("fixed particles stay, bound ones go to their target and no further", 
 
 TEST_CASE("try_move halves a step that would turn a triangle over, and gives up on hopeless ones",
           "[mesher][particles]") {
-  const Square square(4, 0.0, Metric::isotropic(0.25));
+  const MovedSquare square(4, 0.0, Metric::isotropic(0.25));
   ParticleSystem particles = square.particles();
   const VertexId centre = 2 * 5 + 2;
   Star star;

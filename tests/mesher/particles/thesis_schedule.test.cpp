@@ -23,7 +23,7 @@ GenerateOptions as_written(const ParticleOptions& thesis = {}, std::uint64_t see
 
 bool is_same(const Mesh& a, const Mesh& b) { return a.points == b.points && a.triangles == b.triangles; }
 
-Metric curved_layer(const Point& p) {
+Metric layer_along_curve(const Point& p) {
   const double d = norm(p) - 0.7;
   return Metric::from_sizes(0.03 + 0.2 * std::min(1.0, std::abs(d)), 0.25, std::atan2(p.y, p.x));
 }
@@ -46,7 +46,7 @@ TEST_CASE("a uniform mesh as written settles soon, with unit edges of good quali
 
 TEST_CASE("every choice of the thesis's parameters gives a valid mesh", "[mesher][particles][thesis]") {
   const Domain domain = support::square_with_everything();
-  const CallableField field(curved_layer);
+  const CallableField field(layer_along_curve);
   ParticleOptions options{.max_picks = 30.0};
   const int choice = GENERATE(range(0, 14));
   if (choice < 8) options.potential = potential_names[static_cast<std::size_t>(choice)].second;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr SymmetricTensor convex{3.0, 0.5, 1.0};
 constexpr SymmetricTensor saddle{2.0, -1.5, -1.0};
-constexpr SymmetricTensor layer{1e6, 3e2, -2.0};
+constexpr SymmetricTensor layer_hessian{1e6, 3e2, -2.0};
 
 struct Triangle {
   Point a, b, c;
@@ -33,7 +33,7 @@ double by_quadrature(const Point& a, const Point& b, const Point& c, const Symme
 }  // namespace
 
 TEST_CASE("squared_error is the squared L2 error of a quadratic's interpolant", "[mesher][particles]") {
-  const SymmetricTensor h = GENERATE(convex, saddle, layer);
+  const SymmetricTensor h = GENERATE(convex, saddle, layer_hessian);
   const Triangle t = GENERATE(blunt, needle);
   CHECK(squared_error(t.a, t.b, t.c, h) == Approx(by_quadrature(t.a, t.b, t.c, h)).epsilon(1e-9));
   CHECK(squared_error(t.b, t.c, t.a, h) == Approx(squared_error(t.a, t.b, t.c, h)).epsilon(1e-12));
