@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numbers>
 
-#include "adapt/number_text.h"
 #include "mesher/geometry/arcs.h"
 #include "mesher/geometry/cubic_spline.h"
 #include "mesher/geometry/spline.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
