@@ -23,6 +23,7 @@ RequiredParts required_parts(const Mesh& mesh, const Domain& domain) {
   RequiredParts required;
   for (int e = 0; e < mesh.num_edges(); ++e)
     if (domain.segments[at(mesh.labels[at(e)])].required) required.edges.push_back(e);
+  if (domain.required_points.empty()) return required;
   const PointFinder required_points(domain.points, domain.required_points);
   for (int v = 0; v < mesh.num_vertices(); ++v)
     if (required_points.holds(mesh.points[at(v)])) required.vertices.push_back(v);

@@ -27,12 +27,16 @@ double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
                                 particles.metric(mesh.dest(e)));
 }
 
-bool is_too_long(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
-  const Triangulation& mesh = particles.mesh();
-  if (mesh.is_constrained(e)) return false;  // a free edge has triangles on both sides
-  if (squared_edge_length(particles, e) <= rules.long_edge * rules.long_edge) return false;
+// Of the triangles on both sides of a free edge.
+bool have_too_much_area(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
   const double area = left_area(particles, e) + left_area(particles, sym(e));
   return gain_of_creation(area / (1.0 + rules.area_slack), rules.virtual_triangles) > 0.0;
+}
+
+bool is_too_long(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
+  if (particles.mesh().is_constrained(e)) return false;
+  return squared_edge_length(particles, e) > rules.long_edge * rules.long_edge &&
+         have_too_much_area(particles, e, rules);
 }
 
 // The four triangles that a particle in the middle of e would make.
