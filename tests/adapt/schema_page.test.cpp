@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "adapt/case.h"
+#include "adapt/case_schema.h"
 
 using namespace parmesan;
 using Json = nlohmann::ordered_json;
