@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fem/coefficients.h"
 #include "fem/p1.h"
 
 namespace parmesan {
