@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fem/coefficients.h"  // K d, for diffused
+#include "fem/coefficients.h"
 #include "fem/p1.h"
 
 namespace parmesan {
