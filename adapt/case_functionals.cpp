@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "adapt/case.h"
 #include "adapt/case_reading.h"
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "adapt/case.h"
 #include "adapt/case_curves.h"
 #include "adapt/case_reading.h"
 #include "adapt/case_shapes.h"

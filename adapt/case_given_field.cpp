@@ -3,6 +3,7 @@
 
 #include "adapt/case_file_geometry.h"
 #include "adapt/case_reading.h"
+#include "adapt/given_field.h"
 #include "adapt/nearest_name.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/mesh_file.h"

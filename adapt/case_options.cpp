@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "adapt/case.h"
 #include "adapt/case_reading.h"
 #include "adapt/idle_options.h"
 #include "adapt/json_text.h"

@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 
+#include "adapt/case.h"
 #include "adapt/case_boundary.h"
 #include "adapt/case_consistency.h"
 #include "adapt/case_equation.h"

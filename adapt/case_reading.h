@@ -8,11 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "adapt/case.h"
 #include "adapt/case_document.h"
 #include "adapt/case_issues.h"
+#include "adapt/expression.h"
+#include "mesher/geometry/domain.h"
+#include "mesher/mesh.h"
 
 namespace parmesan {
+
+struct Case;
+struct CaseFunctional;
+struct GivenField;
 
 /// A case half read: its JSON agrees with the schema where issues.clean() says so.
 struct CaseReading {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "adapt/case.h"
 #include "adapt/case_reading.h"
 #include "adapt/nearest_name.h"
 

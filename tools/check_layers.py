@@ -16,7 +16,6 @@ PROJECT = {
 }
 FEM_READS_OF_MESHER = ("mesher/mesh.h", "mesher/errors.h", "mesher/cracks.h", "mesher/disjoint_sets.h",
                        "mesher/edge_finder.h", "mesher/number_text.h")
-PAIRED = ("mesher", "fem", "tools")  # where no cycle may lead through a header and its source
 LIBRARIES = {
     "mesher": ("Eigen/", "omp.h"),
     "fem": ("Eigen/", "omp.h"),
@@ -64,8 +63,7 @@ def wrong_includes(module, path, allowed_extra):
 
 def component(name):
     """A header and the source of its name are one: what either includes, the pair needs."""
-    path = pathlib.PurePath(name)
-    return str(path.with_suffix("") if path.parts[0] in PAIRED else path)
+    return str(pathlib.PurePath(name).with_suffix(""))
 
 
 def cycle(graph):

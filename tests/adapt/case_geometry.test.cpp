@@ -221,7 +221,8 @@ TEST_CASE("Geometry that cannot be used is refused with what is allowed", "[adap
 TEST_CASE("A geometry file is read from beside the case", "[adapt][case]") {
   const TemporaryFolder folder;
   folder.write("inside/triangle.poly", kTriangle);
-  const std::string text = with_geometry(R"("file": "inside/triangle.poly", "labels": {"9": "west"})");
+  const std::string text = R"({"geometry": {"file": "inside/triangle.poly", "labels": {"9": "west"}},
+      "problem": {"boundary": {"*": {"dirichlet": 0}}}})";
   const Case c = parse_case(text, folder / "case.json");
   CHECK(c.domain.points.size() == 3);
   CHECK(c.domain.label_names.at(9) == "west");
