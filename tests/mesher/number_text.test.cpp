@@ -11,7 +11,8 @@ using namespace parmesan;
 TEST_CASE("numbers are written with the fewest digits that read back as the same", "[mesher]") {
   CHECK(text(0.1) == "0.1");
   CHECK(text(-2.0) == "-2");
-  for (const double value : {1.0 / 3.0, 1e-9, 123456789.123456, 5e-324}) CHECK(std::strtod(text(value).c_str(), nullptr) == value);
+  for (const double value : {1.0 / 3.0, 1e-9, 123456789.123456, 5e-324})
+    CHECK(std::strtod(text(value).c_str(), nullptr) == value);
 }
 
 TEST_CASE("or with at most so many significant digits", "[mesher]") {
