@@ -12,7 +12,7 @@ TEST_CASE("points are found by their coordinates, of several at a place the lowe
   std::uniform_int_distribution<int> coordinate(0, 9);
   const auto place = [&] {
     const int x = coordinate(random);
-    return Point{x, coordinate(random)};
+    return Point{static_cast<double>(x), static_cast<double>(coordinate(random))};
   };
   std::vector<Point> points;
   for (int i = 0; i < 60; ++i) points.push_back(place());
