@@ -14,7 +14,7 @@ using namespace parmesan;
 using support::interpolation_case;
 using support::poisson_case;
 
-TEST_CASE("the loop meets an L2 target of an interpolant with few vertices to spare", "[adapt][loop]") {
+TEST_CASE("the loop meets an L2 target of an interpolant with few vertices to spare", "[adapt][loop][slow]") {
   // How near to the limit depends on what the first meshes saw of the layer: 1.17 to 1.29 for 21 starts.
   std::vector<double> efficiencies;
   for (const int start : {70, 90, 110, 130, 150}) {
@@ -200,7 +200,7 @@ TEST_CASE("a first mesh that is smaller than asked for, because of the targets, 
   CHECK_FALSE(is_told(Case{}.initial_vertices));  // nobody asked for them
 }
 
-TEST_CASE("a largest size does not keep an error target away", "[adapt][loop]") {
+TEST_CASE("a largest size does not keep an error target away", "[adapt][loop][slow]") {
   Case input = interpolation_case("sin(6*x)*y^2", R"({"l2_error": 4e-5, "max_vertices": 20000})");
   input.metric.h_max = 0.05;  // 600 vertices where 100 are asked for first
   input.initial_vertices = 100;
@@ -225,7 +225,7 @@ TEST_CASE("a mesh without a free vertex meets no target, and tells of no error",
       std::ranges::any_of(blind.warnings, [](const std::string& w) { return w.starts_with("no vertex of the last"); }));
 }
 
-TEST_CASE("data of another solution than the exact one are warned of", "[adapt][loop]") {
+TEST_CASE("data of another solution than the exact one are warned of", "[adapt][loop][slow]") {
   const auto is_warned_of = [](const std::string& flux) {
     const Case input = parse_case(R"({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
         "problem": {"exact": "sin(x)*y", "boundary": {"left": {"neumann": ")" +
@@ -265,7 +265,7 @@ TEST_CASE("a mesh that does not resolve the source is warned of where errors are
   CHECK(warned("sin(3*x) + 20*cos(67*x)*cos(71*y)") == 1);
 }
 
-TEST_CASE("defect correction meets a target with half the vertices, and its error is known", "[adapt][loop]") {
+TEST_CASE("defect correction meets a target with half the vertices, and its error is known", "[adapt][loop][slow]") {
   const auto last_of = [](bool corrected) {
     Case input = poisson_case("exp(-100*((x - 0.5)^2 + (y - 0.5)^2))",
                               R"({"l2_error": 4e-4, "max_vertices": 8000, "max_iterations": 15})");
@@ -359,7 +359,7 @@ TEST_CASE("a size beyond the safety limit is refused", "[adapt][loop][errors]") 
 }
 
 TEST_CASE("lower_error brings the interpolant nearer to the limit, of given functions and of solutions",
-          "[adapt][loop]") {
+          "[adapt][loop][slow]") {
   const bool solves = GENERATE(false, true);
   const auto efficiency_of = [solves](bool lower_error) {
     const auto make = solves ? poisson_case : interpolation_case;

@@ -99,7 +99,7 @@ Effectivities effectivities(const Domain& domain, const Problem& problem, const 
 }  // namespace
 
 TEST_CASE("what chords of interfaces add to the error is estimated", "[fem][estimate][curves]") {
-  const auto [k, m] = GENERATE(table<double, int>({{0.01, 1}, {0.01, 2}, {0.2, 1}, {5.0, 1}, {100.0, 2}}));
+  const auto [k, m] = GENERATE(table<double, int>({{0.01, 2}, {0.2, 1}, {100.0, 1}}));
   const Inclusion inclusion(m, k);
   const Effectivities e = effectivities(square_with_circle(false), inclusion.problem, inclusion.exact.exact(), 0.04);
   INFO("k " << k << ", m " << m << ", without " << e.l2_without);

@@ -37,7 +37,7 @@ double size_of(const Json& full) {
 
 }  // namespace
 
-TEST_CASE("every case that comes along is valid", "[system][cases]") {
+TEST_CASE("every case that comes along is valid", "[system][cases][slow]") {
   std::vector<std::string> arguments = case_files();
   REQUIRE_FALSE(arguments.empty());
   arguments.insert(arguments.begin(), "check");

@@ -134,7 +134,7 @@ TEST_CASE("a run that was stopped or killed, and resumed, leaves the same mesh a
   }
 }
 
-TEST_CASE("resume refuses the run of another case, unless forced", "[system][run][resume][errors]") {
+TEST_CASE("resume refuses the run of another case, unless forced", "[system][run][resume][errors][slow]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("layer.json", layer);
   REQUIRE(run_program({"run", input, "-q", "--out", folder / "out"}).exit_code == 0);
@@ -160,7 +160,8 @@ TEST_CASE("resume begins anew where nothing was begun, and keeps a run that has 
   CHECK(run_program({"run", input, "--resume", "--overwrite"}).exit_code == 2);
 }
 
-TEST_CASE("resume keeps a run of which no checkpoint can be used, and says why", "[system][run][resume][errors]") {
+TEST_CASE("resume keeps a run of which no checkpoint can be used, and says why",
+          "[system][run][resume][errors][slow]") {
   const TemporaryFolder folder;
   const std::string input = folder.write("layer.json", layer);
   const std::vector<std::string> words{"run", input, "-q", "--resume", "--out", folder / "out"};
