@@ -45,7 +45,7 @@ std::string explain_misplaced(const CLI::App& program, const CLI::App& chosen) {
 
 // An option that is not known comes first: what else is missing or too much follows from it, and CLI11 speaks of that.
 std::string explain(const CLI::App& program, const CLI::App& app, const CLI::ParseError& error) {
-  if (const std::string misplaced = explain_misplaced(program, app); !misplaced.empty()) return misplaced;
+  if (std::string misplaced = explain_misplaced(program, app); !misplaced.empty()) return misplaced;
   const std::vector<std::string> rest = app.remaining();
   if (&app == &program && !rest.empty() && !is_option(rest.front()))
     return none_of(rest.front(), subcommands_of(program));
