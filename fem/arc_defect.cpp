@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "fem/coefficients.h"
 #include "fem/quadrature.h"
@@ -17,6 +18,7 @@ struct OnSide {
   std::span<const double> values;
   std::span<const Surplus> surplus;
   std::span<const Vector> gradients;
+  std::vector<SegmentPoint> rule = gauss_rule(4);
 
   /// The gradient a share t of the way along.
   Vector gradient(const Side& side, int triangle, double t) const {
@@ -24,9 +26,7 @@ struct OnSide {
   }
 
   double value(const Side& side, int triangle, double t) const {
-    const auto& corners = discrete.mesh.triangles[static_cast<std::size_t>(triangle)];
-    const auto apex = std::ranges::find_if(corners, [&side](int v) { return v != side.from && v != side.to; });
-    const double s = surplus[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(apex - corners.begin())];
+    const double s = surplus[static_cast<std::size_t>(triangle)][apex_of(discrete.mesh, side, triangle)];
     return (1.0 - t) * values[static_cast<std::size_t>(side.from)] + t * values[static_cast<std::size_t>(side.to)] +
            4.0 * s * t * (1.0 - t);
   }
@@ -66,14 +66,14 @@ double arc_distance(const Side& side, double t) { return 4.0 * side.arc_height *
 double arc_slope(const Side& side, double t) { return 4.0 * side.arc_height * (1.0 - 2.0 * t) / side.length; }
 
 /// What a side's arc means to the triangle on one side of it: int d t.S phi_i' + d r phi_i, times the sign.
-void add_flux_through_gap(const OnSide& function, const Side& side, int triangle, int region, double sign,
-                          Moments& moments) {
+void add_flux_through_gap(const OnSide& function, const Side& side, int triangle, double sign, Moments& moments) {
   const Problem& problem = function.discrete.problem;
   const Mesh& mesh = function.discrete.mesh;
+  const int region = mesh.regions[static_cast<std::size_t>(triangle)];
   const Point from = mesh.points[static_cast<std::size_t>(side.from)];
   const Point to = mesh.points[static_cast<std::size_t>(side.to)];
   const Vector tangent = (1.0 / side.length) * (to - from);
-  for (const auto& [t, weight] : gauss_rule(4)) {
+  for (const auto& [t, weight] : function.rule) {
     const Point x = lerp(from, to, t);
     const Vector gradient = function.gradient(side, triangle, t);
     const double gap = sign * weight * arc_distance(side, t);  // per length of the side
@@ -94,7 +94,7 @@ void add_change_of_data(const OnSide& function, const Side& side, const Boundary
     return condition.kind == BoundaryKind::Robin ? g - data_at(condition.coefficient, seen, x, "Robin coefficient") * u
                                                  : g;
   };
-  for (const auto& [t, weight] : gauss_rule(4)) {
+  for (const auto& [t, weight] : function.rule) {
     const double distance = arc_distance(side, t);
     const double slope = arc_slope(side, t);
     const double stretch = std::sqrt(1.0 + slope * slope);
@@ -113,13 +113,13 @@ Moments side_defect(const OnSide& function, const Side& side) {
   Moments moments;
   if (side.interior) {
     if (side.region == side.other_region) return moments;  // the same coefficients
-    add_flux_through_gap(function, side, side.triangle, side.region, 1.0, moments);
-    add_flux_through_gap(function, side, side.other_triangle, side.other_region, -1.0, moments);
+    add_flux_through_gap(function, side, side.triangle, 1.0, moments);
+    add_flux_through_gap(function, side, side.other_triangle, -1.0, moments);
     return moments;
   }
   const BoundaryCondition& condition = function.discrete.problem.boundary.at(side.label);
   if (condition.kind == BoundaryKind::Dirichlet) return moments;
-  add_flux_through_gap(function, side, side.triangle, side.region, 1.0, moments);
+  add_flux_through_gap(function, side, side.triangle, 1.0, moments);
   add_change_of_data(function, side, condition, moments);
   return moments;
 }

@@ -1,6 +1,5 @@
 #include "fem/nodal_correction.h"
 
-#include <algorithm>
 
 #include "fem/arc_defect.h"
 #include "fem/coefficients.h"
@@ -51,9 +50,7 @@ void subtract_robin(const DiscreteProblem& discrete, std::span<const Surplus> su
     const BoundaryCondition& condition = discrete.problem.boundary.at(side.label);
     if (condition.kind != BoundaryKind::Robin) continue;
     const auto triangle = static_cast<std::size_t>(side.triangle);
-    const auto& corners = mesh.triangles[triangle];
-    const auto apex = std::ranges::find_if(corners, [&side](int v) { return v != side.from && v != side.to; });
-    const double s = surplus[triangle][static_cast<std::size_t>(apex - corners.begin())];
+    const double s = surplus[triangle][apex_of(mesh, side, side.triangle)];
     const Point from = mesh.points[static_cast<std::size_t>(side.from)];
     const Vector edge = mesh.points[static_cast<std::size_t>(side.to)] - from;
     for (const auto& [t, weight] : rule) {

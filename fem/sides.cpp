@@ -1,5 +1,6 @@
 #include "fem/sides.h"
 
+#include <algorithm>
 #include <string>
 
 #include "mesher/edge_finder.h"
@@ -52,6 +53,12 @@ std::vector<Side> labelled_sides(const Mesh& mesh) {
     throw GeometryError("edge " + std::to_string(e) + " is the side of no triangle", {static_cast<int>(e)});
   }
   return sides;
+}
+
+std::size_t apex_of(const Mesh& mesh, const Side& side, int triangle) {
+  const auto& corners = mesh.triangles[at(triangle)];
+  const auto apex = std::ranges::find_if(corners, [&side](int v) { return v != side.from && v != side.to; });
+  return static_cast<std::size_t>(apex - corners.begin());
 }
 
 }  // namespace parmesan

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "mesher/mesh.h"
@@ -28,5 +29,8 @@ struct Side {
 /// The labelled edges in the order of mesh.edges. Interior constraints are seen from the left.
 /// Errors: GeometryError for an edge that is the side of no triangle.
 std::vector<Side> labelled_sides(const Mesh& mesh);
+
+/// Which corner of a triangle beside the side is not on it.
+std::size_t apex_of(const Mesh& mesh, const Side& side, int triangle);
 
 }  // namespace parmesan
