@@ -1,6 +1,5 @@
 #include "fem/nodal_correction.h"
 
-
 #include "fem/arc_defect.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
