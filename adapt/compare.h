@@ -3,7 +3,6 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "adapt/case.h"
 #include "adapt/equal_error.h"
 #include "adapt/order_fit.h"
+#include "adapt/progress.h"
 
 namespace parmesan {
 
@@ -27,7 +27,7 @@ struct CompareOptions {
   std::vector<std::int64_t> sizes{1000, 4000, 16000, 64000};  // vertices, ascending
   std::int64_t max_uniform_vertices = 1'000'000;              // the search for equal error ends at 1.1 times this
   std::int64_t max_vertices = 10'000'000;                     // safety limit, LimitError for sizes beyond
-  std::function<void(const std::string&)> progress;           // gets one line per mesh
+  ProgressListener progress;                                  // gets one line per mesh
   const std::atomic<bool>* interrupted = nullptr;
 };
 

@@ -8,6 +8,7 @@
 
 #include "adapt/adapt_loop.h"
 #include "adapt/checkpoint.h"
+#include "adapt/loop_decision.h"
 #include "adapt/measure.h"
 #include "adapt/number_text.h"
 #include "adapt/outputs.h"
@@ -79,8 +80,8 @@ Verdict verdict(const Expectation& expected, const Json& summary) {
   return {name, passed, name + " = " + value.dump() + limits_text(expected)};
 }
 
-void say(const RunOptions& options, const std::string& line) {
-  if (options.progress) options.progress(line);
+void say(const RunOptions& options, std::string line, double share = 0.0) {
+  if (options.progress) options.progress({std::move(line), share});
 }
 
 // Nothing where the run was ended before its first checkpoint, or has not begun.
@@ -134,7 +135,7 @@ RunResult run_case(const Case& input, const RunOptions& options) {
     const IterationRow& row = state.summary.iterations.back();
     folder.write_iteration(state.last, row);
     write_checkpoint(path, state, case_hash);
-    say(options, progress_line(input, row));
+    say(options, progress_line(input, row), share_of_way(state.history, size_goal(input.targets)));
   };
   LoopResult run = adapt(input, loop, {.resume = resumed ? &*resumed : nullptr});
   folder.finish(run.summary, run.last);

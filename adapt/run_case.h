@@ -2,11 +2,11 @@
 
 #include <atomic>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "adapt/case.h"
+#include "adapt/progress.h"
 #include "adapt/summary.h"
 
 namespace parmesan {
@@ -15,12 +15,12 @@ namespace parmesan {
 struct RunOptions {
   std::string out_dir;  // empty: the case's name + ".out"
   bool overwrite = false;
-  bool resume = false;                               // go on from the last checkpoint in the folder
-  bool force = false;                                // resume though the case is another one
-  int threads = 1;                                   // only reported
-  std::function<void(const std::string&)> progress;  // gets one line per iteration, without newline
-  const std::atomic<bool>* interrupted = nullptr;    // looked at between stages
-  std::int64_t max_vertices = 10'000'000;            // safety limit, LimitError beyond
+  bool resume = false;                             // go on from the last checkpoint in the folder
+  bool force = false;                              // resume though the case is another one
+  int threads = 1;                                 // only reported
+  ProgressListener progress;                       // gets one line per iteration
+  const std::atomic<bool>* interrupted = nullptr;  // looked at between stages
+  std::int64_t max_vertices = 10'000'000;          // safety limit, LimitError beyond
 };
 
 /// What came of a run.

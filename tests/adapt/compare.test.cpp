@@ -18,7 +18,7 @@ CompareResult small_comparison(const support::TemporaryFolder& folder, std::vect
   options.out_dir = folder.path();
   options.sizes = {200, 800};
   options.max_uniform_vertices = 20000;
-  options.progress = [&lines](const std::string& line) { lines.push_back(line); };
+  options.progress = [&lines](const Progress& progress) { lines.push_back(progress.line); };
   return compare_case(support::interpolation_case("tanh(20*(x - y^2))", "{}"), options);
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("an interrupted comparison replaces nothing while it has no mesh, and 
   REQUIRE(folder.has("summary.json"));
   CHECK(std::filesystem::last_write_time(folder / "summary.json") == before);
   stop = false;
-  options.progress = [&stop](const std::string&) { stop = true; };
+  options.progress = [&stop](const Progress&) { stop = true; };
   const CompareResult some = compare_case(input, options);
   CHECK(some.rows.size() == 1);
   CHECK_THAT(some.table, Catch::Contains("interrupted"));

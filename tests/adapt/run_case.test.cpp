@@ -160,12 +160,16 @@ TEST_CASE("progress gets one line per iteration", "[adapt][run]") {
   const TemporaryFolder folder;
   RunOptions options = into(folder);
   std::size_t lines = 0;
-  options.progress = [&lines](const std::string& line) {
+  double share = 0.0;
+  options.progress = [&lines, &share](const Progress& progress) {
     ++lines;
-    CHECK(line.find('\n') == std::string::npos);
+    CHECK(progress.line.find('\n') == std::string::npos);
+    CHECK(progress.share <= 1.0);
+    share = progress.share;
   };
   const RunResult result = run_case(interpolation_case("sin(3*x)*y^2", small), options);
   CHECK(lines == result.summary.iterations.size());
+  CHECK(share > 0.9);
 }
 
 TEST_CASE("verify checks limits on the last iteration and on the run", "[adapt][run]") {

@@ -18,6 +18,14 @@ TEST_CASE("help and version go to standard output and end with 0", "[system][usa
   CHECK_THAT(result.out, Catch::Contains(arguments.front() == "--version" ? "compiler" : "--help"));
 }
 
+TEST_CASE("every subcommand tells its version and takes a seed, if only to say that it is idle", "[system][usage]") {
+  const std::string name = GENERATE("run", "compare", "mesh", "quality", "check", "schema", "convert", "report");
+  CHECK_THAT(run_program({name, "--version"}).out, Catch::StartsWith("parmesan ") && Catch::Contains("compiler"));
+  CHECK_THAT(run_program({name, "--help"}).out, Catch::Contains("--seed N"));
+  if (name == "schema")
+    CHECK_THAT(run_program({name, "--seed", "3"}).err, Catch::Contains("--seed has no effect"));
+}
+
 TEST_CASE("each subcommand's help shows an example", "[system][usage]") {
   const std::string name = GENERATE("run", "compare", "mesh", "quality", "check", "schema", "convert", "report");
   CHECK_THAT(run_program({name, "--help"}).out, Catch::Contains("Example: parmesan " + name));

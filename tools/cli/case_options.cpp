@@ -44,9 +44,4 @@ Case read_case(const CaseOptions& options, const CommonOptions& common) {
   return result;
 }
 
-std::function<void(const std::string&)> progress_to_stderr(const CommonOptions& common) {
-  if (common.quiet) return {};
-  return [](const std::string& line) { std::cerr << escape_control(line) << std::endl; };
-}
-
 }  // namespace parmesan

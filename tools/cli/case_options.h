@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,5 @@ void add_case_options(CLI::App& command, CaseOptions& options);
 /// The case with the --set values and the --seed in it; described on standard error when verbose. Errors: as
 /// read_case(path, overrides).
 Case read_case(const CaseOptions& options, const CommonOptions& common);
-
-/// Prints each line to standard error, control characters escaped; empty when quiet.
-std::function<void(const std::string&)> progress_to_stderr(const CommonOptions& common);
 
 }  // namespace parmesan

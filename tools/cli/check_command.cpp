@@ -54,7 +54,9 @@ std::string trial_text(const IterationRow& row) {
 ExitCode check_one(const std::string& file, const CommonOptions& common) {
   try {
     naming_file(file, [&] {
-      const Case input = read_case(file);
+      CaseOptions options;
+      options.file = file;
+      const Case input = read_case(options, common);
       const Trial trial = try_out(input, common.limits.vertices);
       if (common.quiet) return;
       std::cout << escape_control(file) << ": valid, " << input.domain.points.size() << " points, "

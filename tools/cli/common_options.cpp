@@ -12,6 +12,7 @@
 
 #include "tools/cli/choice.h"
 #include "tools/cli/exit_code.h"
+#include "tools/cli/version.h"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -114,6 +115,9 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       ->check(CLI::Range(1, 4096))
       ->option_text("N")
       ->group(group);
+  command.add_option("--seed", options.seed, "Seed of the random engine, from which only the schedule thesis draws")
+      ->option_text("N")
+      ->group(group);
   command
       .add_option_function<std::vector<std::string>>(
           "--limit",
@@ -125,17 +129,12 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
       ->take_all()
       ->allow_extra_args(false)
       ->group(group);
-}
-
-void add_seed_option(CLI::App& command, CommonOptions& options) {
-  command.add_option("--seed", options.seed, "Seed of the random engine, from which only the schedule thesis draws")
-      ->option_text("N")
-      ->group("Common options");
+  command.set_version_flag("--version", version_text, "Print version, compiler and features");
 }
 
 void warn_of_idle_seed(const CommonOptions& options, Schedule schedule) {
   if (options.seed && schedule != Schedule::Thesis)
-    print_warning("--seed has no effect: the schedule 'fast' draws no random numbers");
+    print_warning("--seed has no effect: only the schedule 'thesis' draws random numbers");
 }
 
 int num_threads() {

@@ -26,14 +26,11 @@ struct CommonOptions {
   Limits limits;
 };
 
-/// Adds --quiet, --verbose, --threads and --limit to a subcommand. options must outlive it.
+/// Adds --quiet, --verbose, --threads, --seed, --limit and --version to a subcommand. options must outlive it.
 void add_common_options(CLI::App& command, CommonOptions& options);
 
-/// Adds --seed.
-void add_seed_option(CLI::App& command, CommonOptions& options);
-
-/// Says so where a seed is given to a schedule that draws no random numbers.
-void warn_of_idle_seed(const CommonOptions& options, Schedule schedule);
+/// Says so where a seed is given to a schedule, or to a command, that draws no random numbers.
+void warn_of_idle_seed(const CommonOptions& options, Schedule schedule = Schedule::Fast);
 
 /// Puts the limits of memory and time on this process, and the number of threads.
 /// Past the time limit the process ends with ExitCode::LimitHit.

@@ -8,6 +8,7 @@
 #include "tools/cli/escape.h"
 #include "tools/cli/interrupt.h"
 #include "tools/cli/naming_file.h"
+#include "tools/cli/progress_to_stderr.h"
 
 namespace parmesan {
 namespace {
@@ -54,7 +55,6 @@ Command add_compare_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))
       ->option_text("N,...");
-  add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan compare cases/wave_front.json --sizes 1000,4000,16000");
   return {app, [arguments] { return compare(*arguments); }};

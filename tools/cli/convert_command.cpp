@@ -93,6 +93,7 @@ std::string idle_option(const ConvertArguments& arguments) {
 
 ExitCode convert(const ConvertArguments& arguments) {
   apply(arguments.common);
+  warn_of_idle_seed(arguments.common);
   check_output(arguments.out);
   if (!is_field(arguments)) check_any_mesh_name(arguments.out);
   if (const std::string idle = idle_option(arguments); !idle.empty()) {

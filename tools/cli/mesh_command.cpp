@@ -213,7 +213,6 @@ Command add_mesh_command(CLI::App& program) {
   add_mesh_input_options(*app, arguments->inputs);
   add_mesher_options(*app, *arguments);
   add_schedule_options(*app, arguments->mesher);
-  add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan mesh domain.poly --size 0.05 -o domain.mesh -o domain.svg");
   return {app, [arguments] { return mesh(*arguments); }};

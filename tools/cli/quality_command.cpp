@@ -103,6 +103,7 @@ void print(std::ostream& out, const Assessment& assessment) {
 
 ExitCode report_quality(const QualityArguments& arguments) {
   apply(arguments.common);
+  warn_of_idle_seed(arguments.common);
   const Assessment assessment = assess(arguments);
   if (arguments.json) {
     std::cout << to_json(assessment).dump(2) << "\n";

@@ -19,6 +19,7 @@ struct ReportArguments {
 
 ExitCode report(const ReportArguments& arguments) {
   apply(arguments.common);
+  warn_of_idle_seed(arguments.common);
   std::string path = arguments.out;
   if (!path.empty()) check_output(path);
   if (path.empty()) path = arguments.folders.size() == 1 ? arguments.folders.front() + "/report.html" : "report.html";

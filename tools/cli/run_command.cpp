@@ -6,6 +6,7 @@
 #include "tools/cli/commands.h"
 #include "tools/cli/interrupt.h"
 #include "tools/cli/naming_file.h"
+#include "tools/cli/progress_to_stderr.h"
 #include "tools/cli/results.h"
 
 namespace parmesan {
@@ -57,7 +58,6 @@ Command add_run_command(CLI::App& program) {
   resume->excludes(app->get_option("--overwrite"));
   app->add_flag("--force", arguments->force, "With --resume: though the case has changed")->needs(resume);
   app->add_flag("--verify", arguments->verify, "Check the case's pass limits (\"expect\"); exit 9 when one is missed");
-  add_seed_option(*app, arguments->common);
   add_common_options(*app, arguments->common);
   app->footer("Example: parmesan run cases/wave_front.json --out wave --set /targets/max_vertices=20000");
   return {app, [arguments] { return run(*arguments); }};
