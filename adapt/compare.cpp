@@ -86,8 +86,9 @@ class Comparison {
   bool interrupted() const { return options_.interrupted && options_.interrupted->load(); }
 
   void add(const CompareRow& row) {
-    const std::string line = std::string(to_string(row.family)) + padded(std::to_string(row.vertices), 9) + " vertices  L2 " +
-                       short_number(row.leading_l2(), 4) + "  " + short_number(row.cpu_seconds, 3) + " s";
+    const std::string line = std::string(to_string(row.family)) + padded(std::to_string(row.vertices), 9) +
+                             " vertices  L2 " + short_number(row.leading_l2(), 4) + "  " +
+                             short_number(row.cpu_seconds, 3) + " s";
     result_.rows.push_back(row);
     const std::size_t expected = mesh_families.size() * options_.sizes.size();
     const double share = static_cast<double>(result_.rows.size()) / static_cast<double>(expected);

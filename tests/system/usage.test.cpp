@@ -22,8 +22,7 @@ TEST_CASE("every subcommand tells its version and takes a seed, if only to say t
   const std::string name = GENERATE("run", "compare", "mesh", "quality", "check", "schema", "convert", "report");
   CHECK_THAT(run_program({name, "--version"}).out, Catch::StartsWith("parmesan ") && Catch::Contains("compiler"));
   CHECK_THAT(run_program({name, "--help"}).out, Catch::Contains("--seed N"));
-  if (name == "schema")
-    CHECK_THAT(run_program({name, "--seed", "3"}).err, Catch::Contains("--seed has no effect"));
+  if (name == "schema") CHECK_THAT(run_program({name, "--seed", "3"}).err, Catch::Contains("--seed has no effect"));
 }
 
 TEST_CASE("each subcommand's help shows an example", "[system][usage]") {
