@@ -65,7 +65,7 @@ std::vector<AbsoluteHessian> absolute_hessians(const Mesh& mesh, std::span<const
   std::vector<double> weight(n, 0.0);
   std::vector<double> negative(n, 0.0);
   for (std::size_t v = 0; v < n; ++v) {
-    const SymmetricTensor h{hessians[v].xx, hessians[v].xy, hessians[v].yy};
+    const SymmetricTensor& h = hessians[v];
     if (!is_finite(h)) continue;
     result[v].tensor = absolute_value(h);
     const double det = determinant(h);

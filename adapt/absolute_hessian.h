@@ -5,8 +5,8 @@
 
 #include "adapt/expression.h"
 #include "fem/recovery.h"
+#include "mesher/geometry/symmetric_tensor.h"
 #include "mesher/mesh.h"
-#include "mesher/metric/symmetric_tensor.h"
 
 namespace parmesan {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mesher/metric/symmetric_tensor.h"
+#include "mesher/geometry/symmetric_tensor.h"
 
 namespace parmesan {
 

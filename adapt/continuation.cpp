@@ -17,7 +17,7 @@ Case with_larger_diffusion(const Case& input, double factor) {
   Case result = input;
   result.problem.diffusion = [factor, own = input.problem.diffusion](const Point& p, int region) {
     const Diffusion k = own(p, region);
-    return Diffusion{factor * k.xx, factor * k.xy, factor * k.yy};
+    return factor * k;
   };
   result.exact.reset();
   result.metric.exact_hessian = false;

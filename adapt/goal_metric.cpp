@@ -3,14 +3,6 @@
 #include "adapt/mean_diffusion.h"
 
 namespace parmesan {
-namespace {
-
-/// tr(A B).
-double contraction(const SymmetricTensor& a, const SymmetricTensor& b) {
-  return a.xx * b.xx + 2.0 * a.xy * b.xy + a.yy * b.yy;
-}
-
-}  // namespace
 
 std::vector<AbsoluteHessian> goal_tensors(const Mesh& mesh, const Problem& problem, std::span<const AbsoluteHessian> u,
                                           std::span<const AbsoluteHessian> z) {

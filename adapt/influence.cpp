@@ -81,8 +81,7 @@ std::vector<double> payne_function(const Mesh& mesh, const std::vector<Symmetric
 SymmetricTensor strip(const SymmetricTensor& diffusion, double torsion, const Vector& gradient, double payne) {
   const double root = std::sqrt(determinant(diffusion));
   const SymmetricTensor along = (1.0 / root) * SymmetricTensor{diffusion.yy, -diffusion.xy, diffusion.xx};
-  const SymmetricTensor across =
-      root * SymmetricTensor{gradient.x * gradient.x, gradient.x * gradient.y, gradient.y * gradient.y};
+  const SymmetricTensor across = root * outer_square(gradient);
   constexpr double most = 0.5;
   const Eigen2 e = eigen_decomposition((torsion / payne) * along + (0.5 / payne) * across);
   return compose({std::min(e.l1, most), std::min(e.l2, most), e.axis});

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "fem/problem.h"
+#include "mesher/geometry/symmetric_tensor.h"
 #include "mesher/mesh.h"
-#include "mesher/metric/symmetric_tensor.h"
 
 namespace parmesan {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesher/metric/symmetric_tensor.h"
+#include "mesher/geometry/symmetric_tensor.h"
 
 namespace parmesan {
 namespace {

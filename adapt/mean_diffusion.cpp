@@ -16,7 +16,7 @@ std::vector<SymmetricTensor> mean_diffusions(const Mesh& mesh, const Problem& pr
     const Diffusion k = diffusion_at(problem, element.at({third, third, third}), mesh.regions[t]);
     for (const int vertex : mesh.triangles[t]) {
       const auto v = static_cast<std::size_t>(vertex);
-      sums[v] = sums[v] + element.area * SymmetricTensor{k.xx, k.xy, k.yy};
+      sums[v] = sums[v] + element.area * k;
       areas[v] += element.area;
     }
   }

@@ -16,13 +16,6 @@ std::function<SymmetricTensor(const Point&)> exact_hessian(const Expression& fun
   };
 }
 
-std::vector<SymmetricTensor> symmetric_tensors(std::span<const Hessian> hessians) {
-  std::vector<SymmetricTensor> tensors;
-  tensors.reserve(hessians.size());
-  for (const Hessian& h : hessians) tensors.push_back({h.xx, h.xy, h.yy});
-  return tensors;
-}
-
 /// Of a P1 function that is smooth on these parts, or of its dual.
 std::vector<Hessian> hessians_on(const SmoothParts& parts, std::span<const double> values, Recovery recovery) {
   return recover_hessians(parts.mesh(), parts.spread(values), recovery);
@@ -66,8 +59,7 @@ SecondDerivatives of_given(const Case& input) {
   result.mesh = &input.given->mesh;
   const std::vector<Hessian> recovered = recover_hessians(*result.mesh, input.given->values, input.metric.recovery);
   result.absolute = absolute_hessians(*result.mesh, recovered);
-  if (input.lower_error)
-    result.signed_field = std::make_unique<TensorInterpolant>(*result.mesh, symmetric_tensors(recovered));
+  if (input.lower_error) result.signed_field = std::make_unique<TensorInterpolant>(*result.mesh, recovered);
   return result;
 }
 
@@ -86,7 +78,7 @@ SecondDerivatives of_discrete(const Case& input, const Iterate& iterate, const S
   const std::vector<Hessian> recovered = hessians_on(parts, iterate.values, input.metric.recovery);
   result.absolute = means.of(absolute_hessians(parts.mesh(), recovered));
   if (input.lower_error) {
-    result.signed_field = std::make_unique<TensorInterpolant>(iterate.mesh, means.of(symmetric_tensors(recovered)));
+    result.signed_field = std::make_unique<TensorInterpolant>(iterate.mesh, means.of(recovered));
   }
   return result;
 }

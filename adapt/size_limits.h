@@ -6,8 +6,8 @@
 
 #include "adapt/clipped_sizes.h"
 #include "adapt/metric_options.h"
+#include "mesher/geometry/symmetric_tensor.h"
 #include "mesher/mesh.h"
-#include "mesher/metric/symmetric_tensor.h"
 
 namespace parmesan {
 

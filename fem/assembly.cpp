@@ -8,9 +8,9 @@
 #include "fem/discontinuity_capturing.h"
 #include "fem/load.h"
 #include "fem/p1.h"
-#include "fem/parallel.h"
 #include "fem/point_sources.h"
 #include "fem/stabilization.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 

@@ -21,7 +21,7 @@ double require_finite(double value, const char* name, const Point& point) {
 }
 
 Diffusion diffusion_at(const Problem& problem, const Point& point, int region) {
-  if (!problem.diffusion) return {};
+  if (!problem.diffusion) return identity_tensor;
   const Diffusion k = problem.diffusion(point, region);
   for (const double entry : {k.xx, k.xy, k.yy}) require_finite(entry, "diffusion", point);
   if (k.xx > 0.0 && k.yy > 0.0 && k.xx * k.yy > k.xy * k.xy) return k;
@@ -48,7 +48,7 @@ MeanCoefficients mean_coefficients(const Problem& problem, const P1Element& elem
   for (const auto& [lambda, weight] : degree4_rule()) {
     const Point x = element.at(lambda);
     const Diffusion k = diffusion_at(problem, x, region);
-    mean.diffusion = mean.diffusion + Diffusion{weight * k.xx, weight * k.xy, weight * k.yy};
+    mean.diffusion = mean.diffusion + weight * k;
     mean.velocity = mean.velocity + weight * velocity_at(problem, x, region);
   }
   return mean;

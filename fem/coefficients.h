@@ -20,7 +20,7 @@ double source_at(const Problem& problem, const Point& point, int region);
 
 /// Means of K and b over an element, by the degree 4 rule.
 struct MeanCoefficients {
-  Diffusion diffusion{0.0, 0.0, 0.0};
+  Diffusion diffusion;
   Vector velocity;
 };
 MeanCoefficients mean_coefficients(const Problem& problem, const P1Element& element, int region);
@@ -31,15 +31,5 @@ MeanCoefficients mean_coefficients(const Problem& problem, const P1Element& elem
 bool uses_divergence_form(const Problem& problem);
 double remainder_at(const Problem& problem, const Point& point, int region);
 Vector source_flux_at(const Problem& problem, const Point& point, int region);
-
-/// The sum of two diffusions.
-constexpr Diffusion operator+(const Diffusion& a, const Diffusion& b) {
-  return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
-}
-
-/// K d.
-constexpr Vector operator*(const Diffusion& k, const Vector& d) {
-  return {k.xx * d.x + k.xy * d.y, k.xy * d.x + k.yy * d.y};
-}
 
 }  // namespace parmesan

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "fem/coefficients.h"
-#include "fem/parallel.h"
 #include "fem/stabilization.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 

@@ -1,12 +1,10 @@
 #pragma once
 
+#include "mesher/geometry/symmetric_tensor.h"
+
 namespace parmesan {
 
 /// Second derivatives at a vertex.
-struct Hessian {
-  double xx = 0.0;
-  double xy = 0.0;
-  double yy = 0.0;
-};
+using Hessian = SymmetricTensor;
 
 }  // namespace parmesan

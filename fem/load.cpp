@@ -6,7 +6,7 @@
 
 #include "fem/coefficients.h"
 #include "fem/p1.h"
-#include "fem/parallel.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 

@@ -8,16 +8,13 @@
 
 #include "fem/solver_options.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/symmetric_tensor.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
 
-/// Entries of a symmetric positive definite diffusion tensor.
-struct Diffusion {
-  double xx = 1.0;
-  double xy = 0.0;
-  double yy = 1.0;
-};
+/// A diffusion tensor; positive definite.
+using Diffusion = SymmetricTensor;
 
 /// Coefficients are functions of the point and of the region of the triangle it lies in.
 using ScalarCoefficient = std::function<double(const Point&, int region)>;

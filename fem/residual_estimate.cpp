@@ -10,28 +10,16 @@
 #include "fem/adjacency.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
-#include "fem/parallel.h"
 #include "fem/point_sources.h"
 #include "fem/recovery.h"
 #include "fem/side_integrals.h"
 #include "fem/sides.h"
 #include "fem/smooth_parts.h"
 #include "mesher/index.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 namespace {
-
-/// A symmetric tensor summed up from products d d^T.
-struct SymmetricProduct {
-  double xx = 0.0, xy = 0.0, yy = 0.0;
-
-  void add(double factor, const Vector& d) {
-    xx += factor * d.x * d.x;
-    xy += factor * d.x * d.y;
-    yy += factor * d.y * d.y;
-  }
-  double contracted(const SymmetricProduct& s) const { return xx * s.xx + 2.0 * xy * s.xy + yy * s.yy; }
-};
 
 /// A triangle and the solution on it.
 struct Piece {
@@ -137,19 +125,19 @@ SideResiduals side_residuals(const Mesh& mesh, const Problem& problem, const std
 }
 
 /// int_T e e^T, e linear with these corner values, by the edge midpoints.
-SymmetricProduct squared_differences(const Piece& p, const std::array<Vector, 3>& e) {
-  SymmetricProduct g;
-  for (std::size_t i = 0; i < 3; ++i) g.add(p.element.area / 3.0, midpoint(e[i], e[(i + 1) % 3]));
-  return g;
+SymmetricTensor squared_differences(const Piece& p, const std::array<Vector, 3>& e) {
+  SymmetricTensor g;
+  for (std::size_t i = 0; i < 3; ++i) g = g + outer_square(midpoint(e[i], e[(i + 1) % 3]));
+  return (p.element.area / 3.0) * g;
 }
 
 /// 2 sum (p_i - centroid)(p_i - centroid)^T.
-SymmetricProduct squared_lengths(const P1Element& element) {
+SymmetricTensor squared_lengths(const P1Element& element) {
   constexpr double third = 1.0 / 3.0;
   const Point centroid = element.at({third, third, third});
-  SymmetricProduct s;
-  for (const Point& corner : element.p) s.add(2.0, corner - centroid);
-  return s;
+  SymmetricTensor s;
+  for (const Point& corner : element.p) s = s + outer_square(corner - centroid);
+  return 2.0 * s;
 }
 
 /// rho of the docstring; 4 |T| / sqrt3 = l1 l2.
@@ -165,11 +153,11 @@ double residual_norm(const Problem& problem, const Piece& p, const std::array<do
 double squared_error(const Problem& problem, const Piece& p, const std::array<Vector, 3>& e,
                      const std::array<double, 3>& sides) {
   constexpr double third = 1.0 / 3.0;
-  const SymmetricProduct g = squared_differences(p, e);
-  if (g.xx + g.yy == 0.0) return 0.0;
+  const SymmetricTensor g = squared_differences(p, e);
+  if (trace(g) == 0.0) return 0.0;
   const Diffusion k = diffusion_at(problem, p.element.at({third, third, third}), p.region);
-  const double along = g.contracted({k.xx, k.xy, k.yy}) / (g.xx + g.yy);
-  return residual_norm(problem, p, sides) * std::sqrt(g.contracted(squared_lengths(p.element))) / along;
+  const double along = contraction(g, k) / trace(g);
+  return residual_norm(problem, p, sides) * std::sqrt(contraction(g, squared_lengths(p.element))) / along;
 }
 
 std::vector<char> holds_point_source(const Mesh& mesh, const Problem& problem) {

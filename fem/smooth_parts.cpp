@@ -10,7 +10,7 @@ namespace {
 bool differ(const Diffusion& a, const Diffusion& b) {
   constexpr double tolerance = 0.01;
   const auto largest = [](const Diffusion& k) { return std::max({std::abs(k.xx), std::abs(k.xy), std::abs(k.yy)}); };
-  const Diffusion jump{a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
+  const Diffusion jump = a - b;
   return !(largest(jump) <= tolerance * std::min(largest(a), largest(b)));  // NaN too
 }
 

@@ -22,13 +22,16 @@ void check_size(const Mesh& mesh, std::span<const double> guess) {
   }
 }
 
-/// The range of the solution and what it may be.
-void report_range(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides, Solution& solution) {
-  const auto [low, high] = std::ranges::minmax_element(solution.values);
-  solution.report.minimum = *low;
-  solution.report.maximum = *high;
-  // Without data that hold u there is a constant to choose.
-  if (solution.report.null_components == 0) solution.report.bounds = solution_bounds(mesh, problem, sides);
+/// What the exact solution keeps within; nothing without data that hold u, where there is a constant to choose.
+SolutionBounds bounds_of(const DiscreteProblem& discrete) {
+  if (!discrete.null_space.components.empty()) return {};
+  return solution_bounds(discrete.mesh, discrete.problem, discrete.sides);
+}
+
+/// Values that leave the bounds of the exact ones come nearer to them on the bounds.
+void keep_within(const SolutionBounds& bounds, std::vector<double>& values) {
+  const double low = bounds.lower.value_or(-HUGE_VAL), high = bounds.upper.value_or(HUGE_VAL);
+  for (double& value : values) value = std::clamp(value, low, high);
 }
 
 /// Does SUPG act on any triangle?
@@ -74,7 +77,10 @@ Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
 void finish(const DiscreteProblem& discrete, Solution& solution) {
   solution.fluxes =
       boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, solution.residual, solution.values);
-  report_range(discrete.mesh, discrete.problem, discrete.sides, solution);
+  const auto [low, high] = std::ranges::minmax_element(solution.values);
+  solution.report.minimum = *low;
+  solution.report.maximum = *high;
+  solution.report.bounds = bounds_of(discrete);
 }
 
 /// Takes the corrected values where they are known.
@@ -83,6 +89,7 @@ void correct(DiscreteProblem& discrete, Solution& solution) {
   solution.report.correction_steps = corrected.steps;
   solution.report.correction_change = corrected.change;
   if (!solution.report.correction_converges()) return;
+  keep_within(bounds_of(discrete), corrected.values);
   const Eigen::VectorXd added = vector_of(corrected.values) - vector_of(solution.values);
   solution.correction_l2 = std::sqrt(discrete.system.mass.dot(added.cwiseAbs2()));
   solution.correction_max = added.cwiseAbs().maxCoeff();

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "fem/parallel.h"
 #include "mesher/mesh.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 

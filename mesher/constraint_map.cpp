@@ -1,7 +1,6 @@
 #include "mesher/constraint_map.h"
 
 #include <array>
-#include <numbers>
 
 #include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/point_finder.h"
@@ -64,7 +63,6 @@ std::vector<int> ConstraintMap::segments_at(int vertex) const {
 }
 
 bool ConstraintMap::face_across_sharp_corner(int a, int b, const Metric& metric) const {
-  constexpr double sharp = std::numbers::pi / 6.0;
   for (const int i : segments_at(a)) {
     for (const int j : segments_at(b)) {
       const Segment& s = domain_.segments[at(i)];
@@ -73,7 +71,7 @@ bool ConstraintMap::face_across_sharp_corner(int a, int b, const Metric& metric)
         if (i == j || (corner != t.a && corner != t.b) || is_at(a, corner) || is_at(b, corner)) continue;
         const Vector along_s = direction_from(domain_, s, corner);
         const Vector along_t = direction_from(domain_, t, corner);
-        if (metric_angle(along_s, along_t, metric) < sharp) return true;
+        if (metric_angle(along_s, along_t, metric) < sharp_angle) return true;
       }
     }
   }

@@ -28,6 +28,16 @@ void parallel_for(int n, F f) {
   if (failure) std::rethrow_exception(failure);
 }
 
+/// The same for many short calls: a block of them at a time.
+template <class F>
+void for_each_in_parallel(std::size_t count, F f) {
+  constexpr std::size_t length = 256;
+  parallel_for(static_cast<int>((count + length - 1) / length), [&](int block) {
+    const std::size_t first = static_cast<std::size_t>(block) * length;
+    for (std::size_t i = first; i < std::min(count, first + length); ++i) f(i);
+  });
+}
+
 /// Numbers 0 ... size - 1 cut into ranges of a fixed length, so that what is done range by range does
 /// not depend on the number of threads.
 class Ranges {

@@ -72,7 +72,7 @@ std::vector<bool> sharp_corners(const Mesh& mesh, std::span<const Metric> metric
     if (ends[v][1] < 0) continue;
     const Vector a = mesh.points[at(ends[v][0])] - mesh.points[v];
     const Vector b = mesh.points[at(ends[v][1])] - mesh.points[v];
-    sharp[v] = a != b && metric_angle(a, b, metrics[v]) < std::numbers::pi / 6.0;
+    sharp[v] = a != b && metric_angle(a, b, metrics[v]) < sharp_angle;
   }
   return sharp;
 }

@@ -15,7 +15,8 @@ PROJECT = {
     "tools": ("tools/", "adapt/", "fem/", "mesher/"),
 }
 FEM_READS_OF_MESHER = ("mesher/mesh.h", "mesher/errors.h", "mesher/cracks.h", "mesher/disjoint_sets.h",
-                       "mesher/edge_finder.h", "mesher/number_text.h")
+                       "mesher/edge_finder.h", "mesher/number_text.h", "mesher/parallel.h",
+                       "mesher/geometry/symmetric_tensor.h")
 LIBRARIES = {
     "mesher": ("Eigen/", "omp.h"),
     "fem": ("Eigen/", "omp.h"),

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mesher/metric/symmetric_tensor.h"
+#include "mesher/geometry/symmetric_tensor.h"
 
 namespace parmesan {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "mesher/metric/metric.h"
 
@@ -37,6 +38,9 @@ inline double metric_edge_length_from_ends(const Vector& d, const Metric& m0, co
 inline double squared_length_in_mean(const Vector& d, const Metric& m0, const Metric& m1) {
   return 0.5 * (m0.squared_length(d) + m1.squared_length(d));
 }
+
+/// Corners of a domain below this angle in the metric leave no choice of good triangles.
+inline constexpr double sharp_angle = std::numbers::pi / 6.0;
 
 /// Angle between two vectors in a metric, in [0, pi]: in the coordinates M^(1/2) x, dot and cross product are a^T M b
 /// and sqrt(det M) a x b (thesis 5.2, 5.3).

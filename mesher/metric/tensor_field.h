@@ -3,8 +3,8 @@
 #include <functional>
 #include <utility>
 
+#include "mesher/geometry/symmetric_tensor.h"
 #include "mesher/metric/metric_field.h"
-#include "mesher/metric/symmetric_tensor.h"
 
 namespace parmesan {
 

@@ -33,7 +33,7 @@ ErrorStar::Slope ErrorStar::fitted_slope(const Point& p, const SymmetricTensor& 
   for (std::size_t i = 0; i < star_.size(); ++i) {
     const Vector d = star_.spoke(i).point - p;
     const SymmetricTensor change = around_[i] - h;
-    moments = moments + SymmetricTensor{d.x * d.x, d.x * d.y, d.y * d.y};
+    moments = moments + outer_square(d);
     by_x = by_x + d.x * change;
     by_y = by_y + d.y * change;
   }

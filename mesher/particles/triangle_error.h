@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mesher/geometry/point.h"
-#include "mesher/metric/symmetric_tensor.h"
+#include "mesher/geometry/symmetric_tensor.h"
 
 namespace parmesan {
 

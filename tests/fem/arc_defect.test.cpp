@@ -76,7 +76,7 @@ struct Inclusion {
     const double r = std::pow(radius, 2 * m);
     exact = {m, r * (1 - k) / (1 + k), 2 / (1 + k), radius};
     problem = laplace(exact);
-    problem.diffusion = [k](const Point&, int region) { return region == 1 ? Diffusion{k, 0, k} : Diffusion{}; };
+    problem.diffusion = [k](const Point&, int region) { return region == 1 ? Diffusion{k, 0, k} : identity_tensor; };
   }
 };
 

@@ -42,7 +42,7 @@ double laplacian(const Point& p) { return Wave::xx(p) + Wave::yy(p); }
 
 Problem poisson() {
   Problem problem;
-  problem.diffusion = [](const Point&, int) { return Diffusion{}; };
+  problem.diffusion = [](const Point&, int) { return identity_tensor; };
   problem.source = [](const Point& p, int) { return -laplacian(p); };
   problem.boundary = dirichlet_everywhere(Wave::value);
   return problem;
@@ -142,7 +142,7 @@ TEST_CASE("a problem with regions uses the coefficient of each", "[fem][solve]")
     mesh.regions[t] = x < 0.5 ? 7 : 8;
   }
   Problem problem;
-  problem.diffusion = [](const Point&, int region) { return region == 7 ? Diffusion{} : Diffusion{10, 0, 10}; };
+  problem.diffusion = [](const Point&, int region) { return region == 7 ? identity_tensor : Diffusion{10, 0, 10}; };
   problem.boundary = {{Left, dirichlet({})},
                       {Right, dirichlet([](const Point&, const Vector&, int) { return 1.0; })},
                       {Bottom, neumann({})},

@@ -1,5 +1,6 @@
 #include "fem/defect_correction.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -122,6 +123,29 @@ TEST_CASE("where the correction does not converge the values are Galerkin's", "[
   const Solution solution = corrected(mesh, problem);
   CHECK_FALSE(solution.report.correction_converges());
   CHECK(solution.values == solve(mesh, problem).values);
+}
+
+TEST_CASE(
+    "corrected values keep within what the maximum principle allows, which takes none of them away from the exact",
+    "[fem][correction][bounds]") {
+  // A layer of width 1/50 at x = 1, on a mesh that hardly resolves it: u = (exp(50 x) - 1) / (exp(50) - 1).
+  Problem problem = unit_poisson();
+  problem.source = nullptr;
+  problem.velocity = [](const Point&, int) { return Vector{50.0, 0.0}; };
+  const auto u = [](const Point& p) { return std::expm1(50.0 * p.x) / std::expm1(50.0); };
+  set_all(problem, dirichlet([u](const Point& p, const Vector&, int) { return u(p); }));
+  const Mesh mesh = random_square(24, 0.24, GENERATE(1u, 2u, 3u));
+  DiscreteProblem discrete(mesh, problem);
+  const std::vector<double> free = correct_defect(discrete, solve(discrete).values).values;
+  const Solution kept = corrected(mesh, problem);
+  REQUIRE(kept.report.correction_converges());
+  CHECK(*std::ranges::min_element(free) < 0.0);
+  CHECK(kept.report.minimum >= 0.0);
+  CHECK(kept.report.maximum <= 1.0);
+  for (std::size_t v = 0; v < free.size(); ++v) {
+    const double exact = u(mesh.points[v]);
+    CHECK(std::abs(kept.values[v] - exact) <= std::abs(free[v] - exact) + 1e-12);
+  }
 }
 
 TEST_CASE("what captures discontinuities is not corrected", "[fem][correction][capturing]") {

@@ -121,7 +121,7 @@ TEST_CASE("with SUPG a linear dual solution is still exact", "[fem][dual][supg]"
 
 TEST_CASE("where nothing holds u the functional is taken of u less its mean", "[fem][dual]") {
   Problem problem;
-  problem.diffusion = [](const Point&, int) { return Diffusion{}; };
+  problem.diffusion = [](const Point&, int) { return identity_tensor; };
   problem.source = [](const Point& p, int) { return p.x - 0.5; };
   for (const int label : {Left, Right, Bottom, Top}) problem.boundary[label] = neumann({});
   const Mesh mesh = rectangle_mesh(8, 8);

@@ -95,7 +95,7 @@ inline std::string refusal(const Mesh& mesh, const Problem& problem) {
 /// -laplace u = 1 on a rectangle, u = 0 on all sides.
 inline Problem unit_poisson() {
   Problem problem;
-  problem.diffusion = [](const Point&, int) { return Diffusion{}; };
+  problem.diffusion = [](const Point&, int) { return identity_tensor; };
   problem.source = [](const Point&, int) { return 1.0; };
   for (const int label : {Bottom, Right, Top, Left}) problem.boundary[label] = dirichlet({});
   return problem;

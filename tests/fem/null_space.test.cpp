@@ -129,7 +129,7 @@ TEST_CASE("each component of a mesh is anchored or fixed by itself", "[fem][solv
   // Left part: Dirichlet with u = linear. Right part, labels + 10: pure Neumann with flux 1 in, 1 out.
   const Mesh mesh = joined(rectangle_mesh(6, 6), rectangle_mesh(6, 6, {2, 0}, {3, 1}), 10);
   Problem problem;
-  problem.diffusion = [](const Point&, int) { return Diffusion{}; };
+  problem.diffusion = [](const Point&, int) { return identity_tensor; };
   problem.boundary = dirichlet_everywhere(linear);
   for (const int label : {Bottom, Right, Top, Left}) problem.boundary[label + 10] = neumann({});
   problem.boundary[Right + 10] = neumann([](const Point&, const Vector&, int) { return 1.0; });

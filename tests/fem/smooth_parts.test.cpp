@@ -19,7 +19,7 @@ constexpr int kInterface = 7;
 Problem two_materials(double k) {
   Problem problem = unit_poisson();
   problem.source = nullptr;
-  problem.diffusion = [k](const Point&, int region) { return region == 1 ? Diffusion{k, 0, k} : Diffusion{}; };
+  problem.diffusion = [k](const Point&, int region) { return region == 1 ? Diffusion{k, 0, k} : identity_tensor; };
   return problem;
 }
 

@@ -194,7 +194,7 @@ TEST_CASE("a coefficient that jumps by 1e12 is solved with a small backward erro
   // Two layers in series, K = 1 and 1e12: nearly all of the drop is in the first.
   Problem problem = unit_poisson();
   problem.source = {};
-  problem.diffusion = [](const Point& p, int) { return p.x < 0.5 ? Diffusion{} : Diffusion{1e12, 0, 1e12}; };
+  problem.diffusion = [](const Point& p, int) { return p.x < 0.5 ? identity_tensor : Diffusion{1e12, 0, 1e12}; };
   problem.boundary[Bottom] = problem.boundary[Top] = neumann({});
   problem.boundary[Right] = dirichlet([](const Point&, const Vector&, int) { return 1.0; });
   const Mesh mesh = rectangle_mesh(16, 4);

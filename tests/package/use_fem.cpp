@@ -12,7 +12,7 @@ int main() {
   mesh.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
   mesh.labels = {1, 1, 1, 1};
   parmesan::Problem problem;
-  problem.diffusion = [](const parmesan::Point&, int) { return parmesan::Diffusion{}; };
+  problem.diffusion = [](const parmesan::Point&, int) { return parmesan::identity_tensor; };
   const auto x = [](const parmesan::Point& p, const parmesan::Vector&, int) { return p.x; };
   problem.boundary[1] = {parmesan::BoundaryKind::Dirichlet, x, {}};
   const double u = parmesan::solve(mesh, problem).values[4];

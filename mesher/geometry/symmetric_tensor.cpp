@@ -1,4 +1,4 @@
-#include "mesher/metric/symmetric_tensor.h"
+#include "mesher/geometry/symmetric_tensor.h"
 
 namespace parmesan {
 

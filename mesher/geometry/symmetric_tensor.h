@@ -15,6 +15,8 @@ struct SymmetricTensor {
   constexpr bool operator==(const SymmetricTensor&) const = default;
 };
 
+inline constexpr SymmetricTensor identity_tensor{1.0, 0.0, 1.0};
+
 constexpr SymmetricTensor operator+(const SymmetricTensor& a, const SymmetricTensor& b) {
   return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
 }
@@ -27,6 +29,14 @@ constexpr Vector operator*(const SymmetricTensor& a, const Vector& d) {
 }
 constexpr SymmetricTensor mean(const SymmetricTensor& a, const SymmetricTensor& b, const SymmetricTensor& c) {
   return (1.0 / 3.0) * (a + b + c);
+}
+
+/// d d^T.
+constexpr SymmetricTensor outer_square(const Vector& d) { return {d.x * d.x, d.x * d.y, d.y * d.y}; }
+
+/// A : B = tr(A B).
+constexpr double contraction(const SymmetricTensor& a, const SymmetricTensor& b) {
+  return a.xx * b.xx + 2.0 * a.xy * b.xy + a.yy * b.yy;
 }
 
 constexpr double determinant(const SymmetricTensor& a) { return a.xx * a.yy - a.xy * a.xy; }
