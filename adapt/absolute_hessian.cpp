@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 namespace {
 
@@ -78,8 +80,8 @@ std::vector<AbsoluteHessian> absolute_hessians(const Mesh& mesh, std::span<const
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = static_cast<std::size_t>(t[k]);
       for (const int other : t) {
-        patch_weight[v] += weight[static_cast<std::size_t>(other)];
-        patch_negative[v] += negative[static_cast<std::size_t>(other)];
+        patch_weight[v] += weight[at(other)];
+        patch_negative[v] += negative[at(other)];
       }
     }
   }
@@ -94,9 +96,9 @@ std::vector<AbsoluteHessian> exact_absolute_hessians(const Mesh& mesh, const Exp
   const int n = std::clamp(static_cast<int>(std::sqrt(per_triangle)), 1, 16);
   std::vector<PatchMean> patches(mesh.points.size());
   for (const auto& t : mesh.triangles) {
-    const Point& a = mesh.points[static_cast<std::size_t>(t[0])];
-    const Point& b = mesh.points[static_cast<std::size_t>(t[1])];
-    const Point& c = mesh.points[static_cast<std::size_t>(t[2])];
+    const Point& a = mesh.points[at(t[0])];
+    const Point& b = mesh.points[at(t[1])];
+    const Point& c = mesh.points[at(t[2])];
     const double area = doubled_area(a, b, c) / (6.0 * n * n);
     for_each_sample(n, [&](const std::array<double, 2>& s) {
       const Jet u = function.jet(a + s[0] * (b - a) + s[1] * (c - a));
@@ -106,7 +108,7 @@ std::vector<AbsoluteHessian> exact_absolute_hessians(const Mesh& mesh, const Exp
       const double det = determinant(h);
       const std::array<double, 3> hat{1.0 - s[0] - s[1], s[0], s[1]};
       for (std::size_t k = 0; k < 3; ++k) {
-        PatchMean& patch = patches[static_cast<std::size_t>(t[k])];
+        PatchMean& patch = patches[at(t[k])];
         const double w = area * hat[k];
         const double sign_weight = w * std::cbrt(std::abs(det));
         patch.sum = patch.sum + w * absolute;

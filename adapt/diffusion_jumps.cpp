@@ -6,6 +6,7 @@
 #include "adapt/number_text.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -33,7 +34,7 @@ std::optional<std::string> warn_of_jumps(const Problem& problem, const Mesh& mes
   Point where;
   for (int t = 0; t < mesh.num_triangles(); ++t) {
     const P1Element element = p1_element(mesh, t);
-    const double ratio = ratio_within(problem, element, mesh.regions[static_cast<std::size_t>(t)]);
+    const double ratio = ratio_within(problem, element, mesh.regions[at(t)]);
     if (ratio > much) ++count;
     if (ratio <= worst) continue;
     worst = ratio;

@@ -8,6 +8,7 @@
 
 #include "mesher/geometry/even_odd.h"
 #include "mesher/geometry/segment_tree.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -66,7 +67,7 @@ void DomainBuilder::add_ring(const Ring& ring, const std::vector<std::string>& s
   const int n = static_cast<int>(ring.size());
   domain_.points.insert(domain_.points.end(), ring.begin(), ring.end());
   for (int i = 0; i < n; ++i) {
-    const std::string& name = sides.size() == 1 ? sides.front() : sides[static_cast<std::size_t>(i)];
+    const std::string& name = sides.size() == 1 ? sides.front() : sides[at(i)];
     domain_.segments.push_back({first + i, first + (i + 1) % n, label(name)});
   }
 }
@@ -78,7 +79,7 @@ void DomainBuilder::add_hole(const Ring& ring, const std::string& side) {
 
 int DomainBuilder::point_at(const Point& p) {
   for (; num_indexed_ < std::ssize(domain_.points); ++num_indexed_) {
-    const Point& known = domain_.points[static_cast<std::size_t>(num_indexed_)];
+    const Point& known = domain_.points[at(num_indexed_)];
     point_of_place_.try_emplace({known.x, known.y}, num_indexed_);
   }
   const auto [found, is_new] = point_of_place_.try_emplace({p.x, p.y}, num_indexed_);
@@ -99,8 +100,8 @@ void DomainBuilder::add_path(const Path& path) {
   const int first = static_cast<int>(domain_.points.size());
   const int n = static_cast<int>(path.size());
   for (int i = 0; i < n; ++i) {
-    const PathPiece& piece = path[static_cast<std::size_t>(i)];
-    const PathPiece& before = path[static_cast<std::size_t>((i + n - 1) % n)];
+    const PathPiece& piece = path[at(i)];
+    const PathPiece& before = path[at((i + n - 1) % n)];
     domain_.points.push_back(before.curve ? piece.begin : before.end);
     const int along = piece.curve ? curve(*piece.curve) : -1;
     domain_.segments.push_back({first + i, first + (i + 1) % n, label(piece.label), {}, false, along});
@@ -171,7 +172,7 @@ void DomainBuilder::add_region(const std::string& name, const Point& seed) {
 
 std::vector<int> DomainBuilder::labels_in_use() const {
   std::set<int> labels;
-  const auto point = [this](int i) { return domain_.points[static_cast<std::size_t>(i)]; };
+  const auto point = [this](int i) { return domain_.points[at(i)]; };
   for (const Segment& segment : domain_.segments)
     if (!segment.is_straight() || point(segment.a) != point(segment.b)) labels.insert(segment.label);
   for (const int label : crack_labels()) labels.insert(label);

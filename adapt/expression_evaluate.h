@@ -5,6 +5,7 @@
 
 #include "adapt/expression_jet.h"
 #include "adapt/expression_tape.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -75,7 +76,7 @@ T evaluate(std::span<const Instruction> code, T* stack, const T& x, const T& y, 
     } else if (instruction.op == Op::Y) {
       *end++ = y;
     } else if (instruction.op == Op::Extra) {
-      *end++ = T{extra[static_cast<std::size_t>(instruction.index)]};
+      *end++ = T{extra[at(instruction.index)]};
     } else if (instruction.op <= Op::Binary) {
       --end;
       end[-1] = apply(instruction, end[-1], end[0]);

@@ -2,6 +2,7 @@
 
 #include "fem/p1.h"
 #include "mesher/geometry/bounding_diagonal.h"
+#include "mesher/index.h"
 #include "mesher/mesh_walk.h"
 #include "mesher/number_text.h"
 
@@ -49,7 +50,7 @@ std::optional<std::string> warn_beyond(const GivenField& field, const Mesh& mesh
     const auto [triangle, weights] = walk.locate(p);
     Point nearest;
     for (std::size_t k = 0; k < 3; ++k)
-      nearest = nearest + weights[k] * field.mesh.points[static_cast<std::size_t>(field.mesh.triangles[triangle][k])];
+      nearest = nearest + weights[k] * field.mesh.points[at(field.mesh.triangles[triangle][k])];
     if (norm(p - nearest) <= farthest) continue;
     farthest = norm(p - nearest);
     where = p;

@@ -7,6 +7,7 @@
 
 #include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/even_odd.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -29,11 +30,10 @@ class Rings {
  private:
   void add(const Domain& domain, const Segment& segment) {
     constexpr int parts = 512;  // of a curve
-    const auto point = [&domain](int v) { return domain.points[static_cast<std::size_t>(v)]; };
+    const auto point = [&domain](int v) { return domain.points[at(v)]; };
     Point from = point(segment.a);
     std::vector<Point> ends;
-    if (!segment.is_straight())
-      ends = domain.curves[static_cast<std::size_t>(segment.curve)].points_between(0.0, 1.0, parts);
+    if (!segment.is_straight()) ends = domain.curves[at(segment.curve)].points_between(0.0, 1.0, parts);
     ends.push_back(point(segment.b));
     for (const Point& to : ends) add(std::exchange(from, to), to);
   }

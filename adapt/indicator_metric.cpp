@@ -9,6 +9,7 @@
 #include "adapt/absolute_hessian.h"
 #include "adapt/hessian_metric.h"
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/number_text.h"
 
 namespace parmesan {
@@ -47,9 +48,7 @@ std::vector<double> densities(const Mesh& mesh, std::span<const double> indicato
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.triangles[t];
-    const double area =
-        0.5 * doubled_area(mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)],
-                           mesh.points[static_cast<std::size_t>(c)]);
+    const double area = 0.5 * doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
     const double density = wanted_density(indicators[t], area, area, order);
     for (const int v : {a, b, c}) {
       const auto k = static_cast<std::size_t>(v);

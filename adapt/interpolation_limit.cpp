@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesher/geometry/symmetric_tensor.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -105,8 +106,7 @@ Total total_of(const std::vector<Part>& parts) {
 std::vector<Part> initial_parts(const Mesh& mesh, const Expression& function) {
   std::vector<std::array<Point, 3>> pieces;
   for (const auto& [a, b, c] : mesh.triangles) {
-    pieces.push_back({mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)],
-                      mesh.points[static_cast<std::size_t>(c)]});
+    pieces.push_back({mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]});
   }
   while (!pieces.empty() && pieces.size() < min_parts) {
     std::vector<std::array<Point, 3>> finer;

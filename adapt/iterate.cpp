@@ -16,6 +16,7 @@
 #include "mesher/generate_around.h"
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 #include "mesher/metric/background_mesh.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/number_text.h"
@@ -127,8 +128,7 @@ void solve_goal(const Case& input, Iterate& iterate) {
 double area(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {
-    sum += 0.5 * doubled_area(mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)],
-                              mesh.points[static_cast<std::size_t>(c)]);
+    sum += 0.5 * doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "fem/norms.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -11,10 +12,10 @@ namespace {
 std::vector<int> copies(const Mesh& mesh) {
   const ClosedMesh closed = close_cracks(mesh);
   std::vector<int> at_place(closed.mesh.points.size(), 0);
-  for (const int v : closed.vertices) ++at_place[static_cast<std::size_t>(v)];
+  for (const int v : closed.vertices) ++at_place[at(v)];
   std::vector<int> result;
   result.reserve(closed.vertices.size());
-  for (const int v : closed.vertices) result.push_back(at_place[static_cast<std::size_t>(v)]);
+  for (const int v : closed.vertices) result.push_back(at_place[at(v)]);
   return result;
 }
 
@@ -25,7 +26,7 @@ Mesh moved_off_cracks(const Mesh& mesh) {
   std::vector<int> copies_left = copies(mesh);
   Mesh moved = mesh;
   for (const auto& triangle : mesh.triangles) {
-    const auto corner = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(triangle[k])]; };
+    const auto corner = [&](std::size_t k) { return mesh.points[at(triangle[k])]; };
     const Point centroid = (1.0 / 3.0) * (corner(0) + corner(1) + corner(2));
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = static_cast<std::size_t>(triangle[k]);

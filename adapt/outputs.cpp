@@ -14,6 +14,7 @@
 #include "adapt/io/png.h"
 #include "adapt/subfolder.h"
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/msh.h"
@@ -57,8 +58,8 @@ MeshField error_field(const Iterate& iterate, const ExactFunction& exact) {
     Point center;
     double value = 0.0;
     for (const int v : t) {
-      center = center + (1.0 / 3.0) * iterate.mesh.points[static_cast<std::size_t>(v)];
-      value += iterate.values[static_cast<std::size_t>(v)] / 3.0;
+      center = center + (1.0 / 3.0) * iterate.mesh.points[at(v)];
+      value += iterate.values[at(v)] / 3.0;
     }
     const double error = std::abs(value - exact.value(center));
     field.values.push_back(std::isfinite(error) ? error : 0.0);

@@ -7,6 +7,7 @@
 
 #include "adapt/expression.h"
 #include "adapt/expression_evaluate.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -34,7 +35,7 @@ bool TapeWriter::constants_on_top(std::size_t count) const {
 
 void TapeWriter::add(const Instruction& instruction) {
   if (instruction.op == Op::X || instruction.op == Op::Y) tape_.uses_point = true;
-  if (instruction.op == Op::Extra) tape_.uses_extra[static_cast<std::size_t>(instruction.index)] = true;
+  if (instruction.op == Op::Extra) tape_.uses_extra[at(instruction.index)] = true;
   const std::size_t count = num_operands(instruction.op);
   if (count == 0) push();
   if (count == 2) --stack_;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "mesher/disjoint_sets.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -17,7 +18,7 @@ Adjacency vertex_triangles(const Mesh& mesh) {
   result.items.resize(result.offsets.back());
   std::vector<std::size_t> next(result.offsets.begin(), result.offsets.end() - 1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const int v : mesh.triangles[t]) result.items[next[static_cast<std::size_t>(v)]++] = static_cast<int>(t);
+    for (const int v : mesh.triangles[t]) result.items[next[at(v)]++] = static_cast<int>(t);
   }
   return result;
 }
@@ -31,7 +32,7 @@ Adjacency vertex_neighbours(const Mesh& mesh) {
   for (int v = 0; v < mesh.num_vertices(); ++v) {
     ring.clear();
     for (const int t : stars.of(v)) {
-      for (const int w : mesh.triangles[static_cast<std::size_t>(t)]) {
+      for (const int w : mesh.triangles[at(t)]) {
         if (w != v) ring.push_back(w);
       }
     }

@@ -7,6 +7,7 @@
 #include "fem/coefficients.h"
 #include "fem/quadrature.h"
 #include "fem/side_integrals.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -26,9 +27,8 @@ struct OnSide {
   }
 
   double value(const Side& side, int triangle, double t) const {
-    const double s = surplus[static_cast<std::size_t>(triangle)][apex_of(discrete.mesh, side, triangle)];
-    return (1.0 - t) * values[static_cast<std::size_t>(side.from)] + t * values[static_cast<std::size_t>(side.to)] +
-           4.0 * s * t * (1.0 - t);
+    const double s = surplus[at(triangle)][apex_of(discrete.mesh, side, triangle)];
+    return (1.0 - t) * values[at(side.from)] + t * values[at(side.to)] + 4.0 * s * t * (1.0 - t);
   }
 
  private:
@@ -36,7 +36,7 @@ struct OnSide {
     const auto t = static_cast<std::size_t>(triangle);
     const auto& corners = discrete.mesh.triangles[t];
     const auto corner = static_cast<std::size_t>(std::ranges::find(corners, v) - corners.begin());
-    return gradients[static_cast<std::size_t>(discrete.parts.mesh().triangles[t][corner])];
+    return gradients[at(discrete.parts.mesh().triangles[t][corner])];
   }
 };
 
@@ -69,9 +69,9 @@ double arc_slope(const Side& side, double t) { return 4.0 * side.arc_height * (1
 void add_flux_through_gap(const OnSide& function, const Side& side, int triangle, double sign, Moments& moments) {
   const Problem& problem = function.discrete.problem;
   const Mesh& mesh = function.discrete.mesh;
-  const int region = mesh.regions[static_cast<std::size_t>(triangle)];
-  const Point from = mesh.points[static_cast<std::size_t>(side.from)];
-  const Point to = mesh.points[static_cast<std::size_t>(side.to)];
+  const int region = mesh.regions[at(triangle)];
+  const Point from = mesh.points[at(side.from)];
+  const Point to = mesh.points[at(side.to)];
   const Vector tangent = (1.0 / side.length) * (to - from);
   for (const auto& [t, weight] : function.rule) {
     const Point x = lerp(from, to, t);
@@ -87,8 +87,8 @@ void add_flux_through_gap(const OnSide& function, const Side& side, int triangle
 void add_change_of_data(const OnSide& function, const Side& side, const BoundaryCondition& condition,
                         Moments& moments) {
   const Mesh& mesh = function.discrete.mesh;
-  const Point from = mesh.points[static_cast<std::size_t>(side.from)];
-  const Vector chord = mesh.points[static_cast<std::size_t>(side.to)] - from;
+  const Point from = mesh.points[at(side.from)];
+  const Vector chord = mesh.points[at(side.to)] - from;
   const auto data = [&condition](const Side& seen, const Point& x, double u) {
     const double g = data_at(condition.value, seen, x);
     return condition.kind == BoundaryKind::Robin ? g - data_at(condition.coefficient, seen, x, "Robin coefficient") * u

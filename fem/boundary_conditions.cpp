@@ -3,6 +3,7 @@
 #include <set>
 
 #include "fem/side_integrals.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -22,7 +23,7 @@ void add_robin(const Side& side, const RobinMoments& a, AssembledSystem& system)
   system.matrix.coeffRef(side.to, side.to) += a.to_to;
   if (a.min < 0.0) system.definite = false;
   if (a.min == 0.0 && a.max == 0.0) return;
-  for (const int v : {side.from, side.to}) system.anchored[static_cast<std::size_t>(v)] = 1;
+  for (const int v : {side.from, side.to}) system.anchored[at(v)] = 1;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 namespace {
@@ -16,7 +18,7 @@ NormalEquations<3> equations_at_inner(const VertexPatch& patch, const std::vecto
     const int v = patch.vertices()[i];
     if (!patch.is_inner(v)) continue;
     const Vector s = scaling.scaled(patch.offsets()[i]);
-    equations.add(patch_weight(s), {1.0, s.x, s.y}, field[static_cast<std::size_t>(v)]);
+    equations.add(patch_weight(s), {1.0, s.x, s.y}, field[at(v)]);
   }
   return equations;
 }

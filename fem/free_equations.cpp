@@ -2,13 +2,14 @@
 
 #include <utility>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 namespace {
 
 std::vector<char> with_held(std::vector<char> fixed, const NullSpace& null_space) {
-  for (const std::vector<int>& component : null_space.components)
-    fixed[static_cast<std::size_t>(component.front())] = 1;
+  for (const std::vector<int>& component : null_space.components) fixed[at(component.front())] = 1;
   return fixed;
 }
 
@@ -32,7 +33,7 @@ VertexValues FreeEquations::solve(const Eigen::VectorXd& load, std::span<const d
   const std::vector<int>& vertices = reduced_.vertices;
   Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertices.size()));
   for (std::size_t i = 0; !guess.empty() && i < vertices.size(); ++i)
-    start[static_cast<Eigen::Index>(i)] = guess[static_cast<std::size_t>(vertices[i])];
+    start[static_cast<Eigen::Index>(i)] = guess[at(vertices[i])];
   VertexValues result{{given.begin(), given.end()},
                       solver_.solve(reduced_load(system_.matrix, load, fixed_, given), start)};
   set(result.linear.x, result.values);
@@ -49,7 +50,7 @@ std::optional<std::vector<double>> FreeEquations::approximate(const Eigen::Vecto
 
 void FreeEquations::set(const Eigen::VectorXd& x, std::vector<double>& values) const {
   for (std::size_t i = 0; i < reduced_.vertices.size(); ++i)
-    values[static_cast<std::size_t>(reduced_.vertices[i])] = x[static_cast<Eigen::Index>(i)];
+    values[at(reduced_.vertices[i])] = x[static_cast<Eigen::Index>(i)];
   const Eigen::Map<const Eigen::VectorXd> u(values.data(), system_.mass.size());
   remove_means(null_space_, system_, system_.mass.cwiseProduct(u), values);
 }

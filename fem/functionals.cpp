@@ -6,6 +6,7 @@
 #include "fem/load.h"
 #include "fem/point_location.h"
 #include "fem/side_integrals.h"
+#include "mesher/index.h"
 #include "mesher/number_text.h"
 
 namespace parmesan {
@@ -16,7 +17,7 @@ Functional region_integral(const Mesh& mesh, const ScalarCoefficient& weight) {
   const std::vector<SourceMoments> moments = source_moments(mesh, problem, accurate_load);
   Functional functional(mesh.points.size(), 0.0);
   for (std::size_t t = 0; t < moments.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) functional[static_cast<std::size_t>(mesh.triangles[t][i])] += moments[t][i];
+    for (std::size_t i = 0; i < 3; ++i) functional[at(mesh.triangles[t][i])] += moments[t][i];
   }
   return functional;
 }
@@ -27,8 +28,8 @@ Functional boundary_integral(const Mesh& mesh, const std::vector<Side>& sides, i
   for (const Side& side : sides) {
     if (side.label != label) continue;
     const SideMoments moments = side_moments(mesh, side, weight ? weight : one);
-    functional[static_cast<std::size_t>(side.from)] += moments.from;
-    functional[static_cast<std::size_t>(side.to)] += moments.to;
+    functional[at(side.from)] += moments.from;
+    functional[at(side.to)] += moments.to;
   }
   return functional;
 }
@@ -39,7 +40,7 @@ Functional point_value(const Mesh& mesh, const Point& point) {
   Functional functional(mesh.points.size(), 0.0);
   const auto& [triangle, lambda] = holders.front();
   for (std::size_t i = 0; i < 3; ++i) {
-    functional[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(triangle)][i])] = lambda[i];
+    functional[at(mesh.triangles[at(triangle)][i])] = lambda[i];
   }
   return functional;
 }

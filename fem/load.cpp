@@ -6,6 +6,7 @@
 
 #include "fem/coefficients.h"
 #include "fem/p1.h"
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 
 namespace parmesan {
@@ -120,12 +121,12 @@ std::vector<char> near_rough_triangles(const Mesh& mesh, const std::vector<Sourc
   std::vector<char> rough_vertex(static_cast<std::size_t>(mesh.num_vertices()), 0);
   for (std::size_t t = 0; t < samples.size(); ++t) {
     if (!is_rough(samples[t], tolerance)) continue;
-    for (const int v : mesh.triangles[t]) rough_vertex[static_cast<std::size_t>(v)] = 1;
+    for (const int v : mesh.triangles[t]) rough_vertex[at(v)] = 1;
   }
   std::vector<char> result(samples.size());
   for (std::size_t t = 0; t < samples.size(); ++t) {
     const std::array<int, 3>& v = mesh.triangles[t];
-    const auto touches = [&](int i) { return rough_vertex[static_cast<std::size_t>(i)] != 0; };
+    const auto touches = [&](int i) { return rough_vertex[at(i)] != 0; };
     result[t] = std::count_if(v.begin(), v.end(), touches) >= shared ? 1 : 0;
   }
   return result;

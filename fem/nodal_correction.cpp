@@ -7,6 +7,7 @@
 #include "fem/side_integrals.h"
 #include "fem/stabilization.h"
 #include "fem/triangle_loads.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -50,8 +51,8 @@ void subtract_robin(const DiscreteProblem& discrete, std::span<const Surplus> su
     if (condition.kind != BoundaryKind::Robin) continue;
     const auto triangle = static_cast<std::size_t>(side.triangle);
     const double s = surplus[triangle][apex_of(mesh, side, side.triangle)];
-    const Point from = mesh.points[static_cast<std::size_t>(side.from)];
-    const Vector edge = mesh.points[static_cast<std::size_t>(side.to)] - from;
+    const Point from = mesh.points[at(side.from)];
+    const Vector edge = mesh.points[at(side.to)] - from;
     for (const auto& [t, weight] : rule) {
       const double a = data_at(condition.coefficient, side, from + t * edge, "Robin coefficient");
       const double product = weight * side.length * a * 4.0 * s * t * (1.0 - t);
@@ -81,8 +82,7 @@ void insert(const LocalCorrection& patch, const LocalSolution& local, Eigen::Vec
             std::vector<Surplus>& surplus) {
   for (std::size_t v = 0; v < local.vertices().size(); ++v)
     load[local.vertices()[v]] += patch.load[static_cast<Eigen::Index>(v)];
-  for (std::size_t t = 0; t < local.triangles().size(); ++t)
-    surplus[static_cast<std::size_t>(local.triangles()[t])] = patch.surplus[t];
+  for (std::size_t t = 0; t < local.triangles().size(); ++t) surplus[at(local.triangles()[t])] = patch.surplus[t];
 }
 
 /// Where only the mean of u is known, w + q + e gets the mean zero.
@@ -108,7 +108,7 @@ std::optional<NodalCorrection> nodal_correction(DiscreteProblem& discrete, std::
   LocalSolution& local = discrete.local_solution();
   const std::optional<LocalCorrection> patch = local.empty() ? std::nullopt : local.correct(values, surplus);
   if (patch)
-    for (const int t : local.triangles()) result.surplus[static_cast<std::size_t>(t)] = {};
+    for (const int t : local.triangles()) result.surplus[at(t)] = {};
   Eigen::VectorXd load = defect(discrete, values, result.surplus);
   load -= arc_defect(discrete, values, surplus, gradients);
   if (patch) insert(*patch, local, load, result.surplus);
@@ -120,8 +120,7 @@ std::optional<NodalCorrection> nodal_correction(DiscreteProblem& discrete, std::
   Eigen::Map<Eigen::VectorXd>(result.residual.data(), load.size()) = discrete.system.matrix * x - load;
   result.values = std::move(*e);
   if (patch)
-    for (std::size_t v = 0; v < patch->change.size(); ++v)
-      result.values[static_cast<std::size_t>(local.vertices()[v])] += patch->change[v];
+    for (std::size_t v = 0; v < patch->change.size(); ++v) result.values[at(local.vertices()[v])] += patch->change[v];
   remove_means(discrete, {values.data(), load.size()}, result.surplus, result.values);
   return result;
 }

@@ -7,6 +7,7 @@
 #include "fem/coefficients.h"
 #include "fem/linear_solver.h"
 #include "fem/reduction.h"
+#include "mesher/index.h"
 #include "mesher/number_text.h"
 
 namespace parmesan {
@@ -19,7 +20,7 @@ constexpr double max_mismatch = 5e-3;
 FixedVertices all_but(const NullSpace& null_space, std::size_t num_vertices) {
   FixedVertices fixed{std::vector<char>(num_vertices, 1), std::vector<double>(num_vertices, 0.0)};
   for (const std::vector<int>& component : null_space.components) {
-    for (const int v : component) fixed.fixed[static_cast<std::size_t>(v)] = 0;
+    for (const int v : component) fixed.fixed[at(v)] = 0;
   }
   return fixed;
 }
@@ -66,8 +67,8 @@ Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSys
   Eigen::VectorXd w = Eigen::VectorXd::Zero(system.load.size());
   for (const std::vector<int>& component : null_space.components) {
     for (const int v : component) w[v] = 1.0;
-    fixed.fixed[static_cast<std::size_t>(component.front())] = 1;
-    fixed.values[static_cast<std::size_t>(component.front())] = 1.0;
+    fixed.fixed[at(component.front())] = 1;
+    fixed.values[at(component.front())] = 1.0;
   }
   if (system.symmetric) return w;
   AssembledSystem transposed;
@@ -79,7 +80,7 @@ Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSys
 [[noreturn]] void refuse(const Mesh& mesh, const std::vector<int>& component, double mismatch, double magnitude) {
   throw ProblemError(
       "the solution is determined only up to a constant on the part of the mesh that holds the point " +
-      text(mesh.points[static_cast<std::size_t>(component.front())]) +
+      text(mesh.points[at(component.front())]) +
       " (no Dirichlet or Robin condition, no reaction), and the data do not balance there: the integrals of the source "
       "and of the boundary fluxes add up to " +
       text(mismatch, 6) + ", they must add up to 0 (their absolute values add up to " + text(magnitude, 6) + ")");
@@ -148,7 +149,7 @@ void remove_means(const NullSpace& null_space, const AssembledSystem& system, co
       integral += integrals[v];
       mass += system.mass[v];
     }
-    for (const int v : component) values[static_cast<std::size_t>(v)] -= integral / mass;
+    for (const int v : component) values[at(v)] -= integral / mass;
   }
 }
 

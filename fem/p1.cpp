@@ -1,13 +1,14 @@
 #include "fem/p1.h"
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
 P1Element p1_element(const Mesh& mesh, int triangle) {
   const auto t = static_cast<std::size_t>(triangle);
   P1Element element;
-  for (std::size_t i = 0; i < 3; ++i) element.p[i] = mesh.points[static_cast<std::size_t>(mesh.triangles[t][i])];
+  for (std::size_t i = 0; i < 3; ++i) element.p[i] = mesh.points[at(mesh.triangles[t][i])];
   const auto& [a, b, c] = element.p;
   const double doubled = doubled_area(a, b, c);
   if (!(doubled > 0.0))

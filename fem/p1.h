@@ -4,6 +4,7 @@
 #include <span>
 
 #include "fem/quadrature.h"
+#include "mesher/index.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
@@ -31,8 +32,7 @@ P1Element p1_element(const Mesh& mesh, int triangle);
 template <class T>
 std::array<T, 3> at_corners(const Mesh& mesh, std::size_t triangle, std::span<const T> values) {
   const auto& [a, b, c] = mesh.triangles[triangle];
-  return {values[static_cast<std::size_t>(a)], values[static_cast<std::size_t>(b)],
-          values[static_cast<std::size_t>(c)]};
+  return {values[at(a)], values[at(b)], values[at(c)]};
 }
 
 /// Value at a place of the P1 function with these values at the three vertices.

@@ -1,5 +1,7 @@
 #include "fem/patch_fit.h"
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 namespace {
@@ -21,11 +23,11 @@ std::vector<PatchFit> fit_patches(const Mesh& mesh, std::span<const double> valu
   const auto assemble = [&](const VertexPatch& around) {
     const std::span<const Vector> offsets = around.offsets();
     scaling = covariance_scaling(offsets);
-    const double centre = values[static_cast<std::size_t>(around.centre())];
+    const double centre = values[at(around.centre())];
     NormalEquations<6> equations;
     for (std::size_t i = 0; i < offsets.size(); ++i) {
       const Vector s = scaling.scaled(offsets[i]);
-      const double rise = values[static_cast<std::size_t>(around.vertices()[i])] - centre;
+      const double rise = values[at(around.vertices()[i])] - centre;
       equations.add(patch_weight(s), monomials(s), rise);
     }
     return equations;

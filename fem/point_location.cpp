@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fem/p1.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -18,8 +19,8 @@ struct Box {
 
 /// The triangle's bounding box with its own size added on every side.
 Box twice_its_box(const Mesh& mesh, int t) {
-  const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(t)];
-  const auto point = [&mesh](int v) { return mesh.points[static_cast<std::size_t>(v)]; };
+  const auto& [a, b, c] = mesh.triangles[at(t)];
+  const auto point = [&mesh](int v) { return mesh.points[at(v)]; };
   const auto [x0, x1] = std::minmax({point(a).x, point(b).x, point(c).x});
   const auto [y0, y1] = std::minmax({point(a).y, point(b).y, point(c).y});
   return {{2 * x0 - x1, 2 * y0 - y1}, {2 * x1 - x0, 2 * y1 - y0}};
@@ -27,10 +28,10 @@ Box twice_its_box(const Mesh& mesh, int t) {
 
 Barycentric coordinates_in(const Mesh& mesh, int t, const Point& point) {
   const P1Element element = p1_element(mesh, t);
-  const std::array<int, 3>& corners = mesh.triangles[static_cast<std::size_t>(t)];
+  const std::array<int, 3>& corners = mesh.triangles[at(t)];
   Barycentric lambda{};
   for (std::size_t i = 0; i < 3; ++i)
-    lambda[i] = dot(element.gradient[i], point - mesh.points[static_cast<std::size_t>(corners[(i + 1) % 3])]);
+    lambda[i] = dot(element.gradient[i], point - mesh.points[at(corners[(i + 1) % 3])]);
   return lambda;
 }
 

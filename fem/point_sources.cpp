@@ -1,6 +1,7 @@
 #include "fem/point_sources.h"
 
 #include "fem/coefficients.h"
+#include "mesher/index.h"
 #include "mesher/number_text.h"
 
 namespace parmesan {
@@ -25,7 +26,7 @@ void add_point_sources(const Mesh& mesh, const Problem& problem, std::vector<Sou
     }
     const double share = strength / static_cast<double>(holders.size());
     for (const auto& [triangle, lambda] : holders) {
-      for (std::size_t i = 0; i < 3; ++i) moments[static_cast<std::size_t>(triangle)][i] += share * lambda[i];
+      for (std::size_t i = 0; i < 3; ++i) moments[at(triangle)][i] += share * lambda[i];
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "fem/side_integrals.h"
 #include "fem/smooth_parts.h"
 #include "fem/stabilization.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -40,8 +41,8 @@ void add_angles(const Mesh& mesh, std::vector<Corner>& corners) {
   for (const auto& triangle : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = static_cast<std::size_t>(triangle[k]);
-      const Vector a = mesh.points[static_cast<std::size_t>(triangle[(k + 1) % 3])] - mesh.points[v];
-      const Vector b = mesh.points[static_cast<std::size_t>(triangle[(k + 2) % 3])] - mesh.points[v];
+      const Vector a = mesh.points[at(triangle[(k + 1) % 3])] - mesh.points[v];
+      const Vector b = mesh.points[at(triangle[(k + 2) % 3])] - mesh.points[v];
       corners[v].angle += std::atan2(a.x * b.y - a.y * b.x, dot(a, b));
     }
   }
@@ -71,8 +72,8 @@ double add_given_values(const Mesh& mesh, const Problem& problem, const std::vec
 void add_lines(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides, std::vector<Corner>& corners) {
   for (const Side& side : sides) {
     if (!side.interior || !gradient_jumps(mesh, problem, side)) continue;
-    Corner& from = corners[static_cast<std::size_t>(side.from)];
-    Corner& to = corners[static_cast<std::size_t>(side.to)];
+    Corner& from = corners[at(side.from)];
+    Corner& to = corners[at(side.to)];
     const Vector along{-side.normal.y, side.normal.x};
     from.directions = from.directions + along;
     to.directions = to.directions - along;
@@ -85,11 +86,11 @@ void add_lines(const Mesh& mesh, const Problem& problem, const std::vector<Side>
 void leave_advected(const Mesh& mesh, const Problem& problem, std::vector<char>& is_singular) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corners = mesh.triangles[t];
-    if (std::ranges::none_of(corners, [&](int v) { return is_singular[static_cast<std::size_t>(v)] != 0; })) continue;
+    if (std::ranges::none_of(corners, [&](int v) { return is_singular[at(v)] != 0; })) continue;
     const P1Element element = p1_element(mesh, static_cast<int>(t));
     const MeanCoefficients mean = mean_coefficients(problem, element, mesh.regions[t]);
     if (mesh_peclet(element, mean.velocity, mean.diffusion) <= 1.0) continue;
-    for (const int v : corners) is_singular[static_cast<std::size_t>(v)] = 0;
+    for (const int v : corners) is_singular[at(v)] = 0;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 namespace {
@@ -22,13 +24,12 @@ std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const 
     opens[s] = gradient_jumps(mesh, problem, sides[s]) ? 1 : 0;
     if (!opens[s] && sides[s].interior) continue;
     for (const int v : {sides[s].from, sides[s].to}) {
-      char& d = degree[static_cast<std::size_t>(v)];
+      char& d = degree[at(v)];
       if (d < 2) ++d;
     }
   }
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const bool is_alone =
-        degree[static_cast<std::size_t>(sides[s].from)] < 2 && degree[static_cast<std::size_t>(sides[s].to)] < 2;
+    const bool is_alone = degree[at(sides[s].from)] < 2 && degree[at(sides[s].to)] < 2;
     if (is_alone) opens[s] = 0;
   }
   return opens;
@@ -41,8 +42,7 @@ bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side) 
   const auto condition = problem.boundary.find(side.label);
   if (condition != problem.boundary.end() && condition->second.kind == BoundaryKind::Dirichlet) return true;
   if (!problem.diffusion || side.region == side.other_region) return false;
-  const Point middle =
-      midpoint(mesh.points[static_cast<std::size_t>(side.from)], mesh.points[static_cast<std::size_t>(side.to)]);
+  const Point middle = midpoint(mesh.points[at(side.from)], mesh.points[at(side.to)]);
   return differ(problem.diffusion(middle, side.region), problem.diffusion(middle, side.other_region));
 }
 
@@ -57,7 +57,7 @@ SmoothParts::SmoothParts(const Mesh& mesh, const Problem& problem, const std::ve
 
 std::vector<double> SmoothParts::spread(std::span<const double> values) const {
   std::vector<double> result(mesh().points.size());
-  for (std::size_t v = 0; v < result.size(); ++v) result[v] = values[static_cast<std::size_t>(source(v))];
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] = values[at(source(v))];
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/side_integrals.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -58,7 +59,7 @@ void add_triangles(const Mesh& mesh, const Problem& problem, Bounds& bounds) {
   if (!problem.source && !problem.reaction) return;
   for (int t = 0; t < mesh.num_triangles() && bounds.any(); ++t) {
     const P1Element element = p1_element(mesh, t);
-    const int region = mesh.regions[static_cast<std::size_t>(t)];
+    const int region = mesh.regions[at(t)];
     for (const auto& [lambda, weight] : degree4_rule()) {
       const Point x = element.at(lambda);
       bounds.add_inflow(source_at(problem, x, region));
@@ -68,8 +69,8 @@ void add_triangles(const Mesh& mesh, const Problem& problem, Bounds& bounds) {
 }
 
 void add_side(const Mesh& mesh, const Side& side, const BoundaryCondition& condition, Bounds& bounds) {
-  const Point& from = mesh.points[static_cast<std::size_t>(side.from)];
-  const Point& to = mesh.points[static_cast<std::size_t>(side.to)];
+  const Point& from = mesh.points[at(side.from)];
+  const Point& to = mesh.points[at(side.to)];
   std::vector<SegmentPoint> places = gauss_rule(4);
   if (condition.kind == BoundaryKind::Dirichlet) places.insert(places.end(), {{0.0, 0.0}, {1.0, 0.0}});
   for (const auto& [t, weight] : places) {

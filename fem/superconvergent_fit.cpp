@@ -1,5 +1,7 @@
 #include "fem/superconvergent_fit.h"
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 namespace {
@@ -18,7 +20,7 @@ Vector5 tangential_derivative(const Vector& t, const Vector& m) {
 std::vector<PatchFit> fit_edges(const Mesh& mesh, std::span<const double> values) {
   VertexPatch patch(mesh);
   PatchScaling scaling;
-  const auto point = [&mesh](int v) { return mesh.points[static_cast<std::size_t>(v)]; };
+  const auto point = [&mesh](int v) { return mesh.points[at(v)]; };
   const auto assemble = [&](const VertexPatch& around) {
     scaling = covariance_scaling(around.offsets());
     const Point centre = point(around.centre());
@@ -29,7 +31,7 @@ std::vector<PatchFit> fit_edges(const Mesh& mesh, std::span<const double> values
         if (b < a || !around.holds(b)) continue;
         const Vector to = scaling.scaled(point(b) - centre);
         const double length = norm(to - from);
-        const double rise = values[static_cast<std::size_t>(b)] - values[static_cast<std::size_t>(a)];
+        const double rise = values[at(b)] - values[at(a)];
         const Vector m = midpoint(from, to);
         equations.add(patch_weight(m), tangential_derivative((1.0 / length) * (to - from), m), rise / length);
       }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 PatchFit unscaled(const Vector& gradient, const Hessian& hessian, const PatchScaling& scaling) {
@@ -19,7 +21,7 @@ VertexPatch::VertexPatch(const Mesh& mesh)
     : mesh_(mesh), neighbours_(vertex_neighbours(mesh)), inner_(mesh.points.size()), mark_(mesh.points.size(), 0) {
   std::vector<std::size_t> triangles(mesh.points.size(), 0);
   for (const auto& triangle : mesh.triangles) {
-    for (const int v : triangle) ++triangles[static_cast<std::size_t>(v)];
+    for (const int v : triangle) ++triangles[at(v)];
   }
   for (int v = 0; v < mesh.num_vertices(); ++v) {
     const auto k = static_cast<std::size_t>(v);
@@ -30,19 +32,19 @@ VertexPatch::VertexPatch(const Mesh& mesh)
 void VertexPatch::start(int vertex) {
   vertices_.assign(1, vertex);
   offsets_.assign(1, Vector{});
-  mark_[static_cast<std::size_t>(vertex)] = ++stamp_;
+  mark_[at(vertex)] = ++stamp_;
   ring_begin_ = 0;
 }
 
 bool VertexPatch::grow() {
-  const Point& c = mesh_.points[static_cast<std::size_t>(centre())];
+  const Point& c = mesh_.points[at(centre())];
   const std::size_t end = vertices_.size();
   for (std::size_t i = ring_begin_; i < end; ++i) {
     for (const int w : neighbours_.of(vertices_[i])) {
       if (holds(w)) continue;
-      mark_[static_cast<std::size_t>(w)] = stamp_;
+      mark_[at(w)] = stamp_;
       vertices_.push_back(w);
-      offsets_.push_back(mesh_.points[static_cast<std::size_t>(w)] - c);
+      offsets_.push_back(mesh_.points[at(w)] - c);
     }
   }
   ring_begin_ = end;

@@ -7,6 +7,7 @@
 
 #include "fem/adjacency.h"
 #include "fem/hessian.h"
+#include "mesher/index.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
@@ -49,8 +50,8 @@ class VertexPatch {
   int centre() const { return vertices_.front(); }
   std::span<const int> vertices() const { return vertices_; }
   std::span<const int> neighbours(int vertex) const { return neighbours_.of(vertex); }
-  bool holds(int vertex) const { return mark_[static_cast<std::size_t>(vertex)] == stamp_; }
-  bool is_inner(int vertex) const { return inner_[static_cast<std::size_t>(vertex)]; }
+  bool holds(int vertex) const { return mark_[at(vertex)] == stamp_; }
+  bool is_inner(int vertex) const { return inner_[at(vertex)]; }
 
   /// From the centre to each vertex of the patch. Units: L.
   std::span<const Vector> offsets() const { return offsets_; }

@@ -4,6 +4,7 @@
 
 #include "mesher/edge_finder.h"
 #include "mesher/geometry/domain.h"
+#include "mesher/index.h"
 #include "mesher/mesh.h"
 #include "mesher/metric/metric.h"
 
@@ -16,8 +17,8 @@ class ConstraintMap {
   ConstraintMap(const Mesh& mesh, const Domain& domain);
 
   /// Is the vertex a domain point? Is it that, or on a segment?
-  bool is_fixed(int vertex) const { return point_[static_cast<std::size_t>(vertex)] >= 0; }
-  bool is_bound(int vertex) const { return is_fixed(vertex) || segment_[static_cast<std::size_t>(vertex)] >= 0; }
+  bool is_fixed(int vertex) const { return point_[at(vertex)] >= 0; }
+  bool is_bound(int vertex) const { return is_fixed(vertex) || segment_[at(vertex)] >= 0; }
 
   /// Is the edge between the two vertices a part of a segment?
   bool is_constrained(int a, int b) const { return edges_.find(a, b) >= 0; }
@@ -32,7 +33,7 @@ class ConstraintMap {
   void bind_to_segments();
   void find_isolated_points();
   std::vector<int> segments_at(int vertex) const;
-  bool is_at(int vertex, int point) const { return point_[static_cast<std::size_t>(vertex)] == point; }
+  bool is_at(int vertex, int point) const { return point_[at(vertex)] == point; }
 
   const Mesh& mesh_;
   const Domain& domain_;

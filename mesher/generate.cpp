@@ -10,6 +10,7 @@
 #include "mesher/geometry/chord_limits.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/outline.h"
+#include "mesher/index.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/outside_parts.h"
 #include "mesher/particles/curve_chords.h"
@@ -83,7 +84,7 @@ Beginning choose_beginning(Mesh previous, const Domain& domain, const Mesh& site
 std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metric>& metrics) {
   std::vector<Metric> result;
   result.reserve(opened.sources.size());
-  for (const int v : opened.sources) result.push_back(metrics[static_cast<std::size_t>(v)]);
+  for (const int v : opened.sources) result.push_back(metrics[at(v)]);
   return result;
 }
 

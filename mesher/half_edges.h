@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
@@ -20,8 +21,8 @@ struct HalfEdge {
 
 /// Does the triangle pass this side from the lower end point to the higher, so that it lies to the left?
 inline bool goes_up(const Mesh& mesh, const HalfEdge& h) {
-  const auto& corners = mesh.triangles[static_cast<std::size_t>(h.triangle())];
-  return corners[static_cast<std::size_t>((h.side + 2) % 3)] == h.high;
+  const auto& corners = mesh.triangles[at(h.triangle())];
+  return corners[at((h.side + 2) % 3)] == h.high;
 }
 
 /// The sides of all triangles, sorted by their lower end points, then the higher, then the triangles.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 
 namespace parmesan {
@@ -104,9 +105,8 @@ void for_each_side(const Mesh& mesh, const HalfEdges& half_edges, const std::fun
 
 std::vector<MeshSide> sides_of(const Mesh& mesh) {
   std::vector<std::vector<MeshSide>> of_range(static_cast<std::size_t>(Ranges(mesh.points.size()).count()));
-  for_each_side_by_ranges(mesh, HalfEdges(mesh), [&](int range, const MeshSide& side) {
-    of_range[static_cast<std::size_t>(range)].push_back(side);
-  });
+  for_each_side_by_ranges(mesh, HalfEdges(mesh),
+                          [&](int range, const MeshSide& side) { of_range[at(range)].push_back(side); });
   return joined(of_range);
 }
 

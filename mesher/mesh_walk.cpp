@@ -5,6 +5,7 @@
 #include "mesher/cracks.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/barycentric.h"
+#include "mesher/index.h"
 #include "mesher/triangulation/neighbors.h"
 
 namespace parmesan {
@@ -14,7 +15,7 @@ MeshWalk::MeshWalk(const Mesh& mesh)
   if (mesh.triangles.empty()) throw InputError("points cannot be found in a mesh without triangles");
   boxes_ = BoxTree(mesh.triangles.size(), [&mesh](std::size_t t) {
     BoxTree::Box box;
-    for (const int v : mesh.triangles[t]) box.add(mesh.points[static_cast<std::size_t>(v)]);
+    for (const int v : mesh.triangles[t]) box.add(mesh.points[at(v)]);
     return box;
   });
 }
@@ -33,8 +34,7 @@ std::optional<MeshPlace> MeshWalk::find(const Point& p) {
 
 std::array<Point, 3> MeshWalk::corners(std::size_t triangle) const {
   const auto& [a, b, c] = mesh_.triangles[triangle];
-  return {mesh_.points[static_cast<std::size_t>(a)], mesh_.points[static_cast<std::size_t>(b)],
-          mesh_.points[static_cast<std::size_t>(c)]};
+  return {mesh_.points[at(a)], mesh_.points[at(b)], mesh_.points[at(c)]};
 }
 
 // Leaves through the side that has p farthest behind it; may cycle or end at the boundary.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/index.h"
 #include "mesher/triangulation/faces.h"
 
 namespace parmesan {
@@ -45,14 +46,14 @@ void walk_faces(int num_segments, const Faces& faces, Cross cross, Enter enter) 
   std::vector<char> is_known(around.size(), 0);
   std::vector<Step> way;
   const auto go = [&](int face, int across) {
-    is_known[static_cast<std::size_t>(face)] = 1;
+    is_known[at(face)] = 1;
     enter(face);
     way.push_back({face, across});
   };
   go(0, -1);
   while (!way.empty()) {
     Step& here = way.back();
-    const std::vector<int>& segments = around[static_cast<std::size_t>(here.face)];
+    const std::vector<int>& segments = around[at(here.face)];
     if (here.next == segments.size()) {
       if (here.across >= 0) cross(here.across);
       way.pop_back();
@@ -61,7 +62,7 @@ void walk_faces(int num_segments, const Faces& faces, Cross cross, Enter enter) 
     const int s = segments[here.next++];
     const auto& [left, right] = faces.beside(s);
     const int to = left == here.face ? right : left;
-    if (is_known[static_cast<std::size_t>(to)] != 0) continue;
+    if (is_known[at(to)] != 0) continue;
     cross(s);
     go(to, s);
   }

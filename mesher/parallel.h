@@ -5,6 +5,8 @@
 #include <exception>
 #include <vector>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 /// Calls f(0) ... f(n - 1) on the threads of OpenMP. The calls must not depend on one another: then
@@ -65,8 +67,7 @@ template <class T, class F>
 std::vector<T> collect(std::size_t size, F f) {
   const Ranges ranges(size);
   std::vector<std::vector<T>> of_range(static_cast<std::size_t>(ranges.count()));
-  parallel_for(ranges.count(),
-               [&](int i) { f(ranges.first(i), ranges.last(i), of_range[static_cast<std::size_t>(i)]); });
+  parallel_for(ranges.count(), [&](int i) { f(ranges.first(i), ranges.last(i), of_range[at(i)]); });
   return joined(of_range);
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/number_text.h"
 
@@ -23,7 +24,7 @@ std::vector<double> sampled_log_lengths(const Mesh& mesh, const MetricField& fie
     std::array<Point, 3> p;
     std::array<Metric, 3> m;
     for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = mesh.points[static_cast<std::size_t>(mesh.triangles[t][k])];
+      p[k] = mesh.points[at(mesh.triangles[t][k])];
       m[k] = field.at(p[k], hint);
     }
     for (std::size_t k = 0; k < 3; ++k)

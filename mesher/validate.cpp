@@ -8,6 +8,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
+#include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 #include "mesher/number_text.h"
 
@@ -41,7 +42,7 @@ void check_regions(const Mesh& mesh) {
 
 void check_points(const Mesh& mesh) {
   for (int i = 0; i < mesh.num_vertices(); ++i) {
-    const Point& p = mesh.points[static_cast<std::size_t>(i)];
+    const Point& p = mesh.points[at(i)];
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
       throw GeometryError("point " + std::to_string(i) + " has a coordinate that is not finite", {i});
     }

@@ -7,6 +7,7 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/geometry/predicates.h"
+#include "mesher/index.h"
 #include "mesher/io/boundary_edges.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/io/mesh_file.h"
@@ -23,8 +24,8 @@ bool is_geojson_file_name(const std::string& path) {
 // Its sides would enclose nothing, or something else.
 void refuse_clockwise_triangles(const Mesh& mesh) {
   for (int i = 0; i < mesh.num_triangles(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(i)];
-    const auto point = [&mesh](int v) { return mesh.points[static_cast<std::size_t>(v)]; };
+    const auto& [a, b, c] = mesh.triangles[at(i)];
+    const auto point = [&mesh](int v) { return mesh.points[at(v)]; };
     if (orient2d(point(a), point(b), point(c)) < 0.0)
       throw GeometryError("triangle " + std::to_string(i) + " is clockwise, others are not", {i});
   }

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 namespace {
 
-const Point& vertex(const Mesh& mesh, int v) { return mesh.points[static_cast<std::size_t>(v)]; }
+const Point& vertex(const Mesh& mesh, int v) { return mesh.points[at(v)]; }
 
 std::vector<double> centroid_errors(const Iterate& iterate, const Expression& exact) {
   std::vector<double> errors;
@@ -17,7 +19,7 @@ std::vector<double> centroid_errors(const Iterate& iterate, const Expression& ex
     double value = 0.0;
     for (const int v : t) {
       center = center + (1.0 / 3.0) * vertex(iterate.mesh, v);
-      value += iterate.values[static_cast<std::size_t>(v)] / 3.0;
+      value += iterate.values[at(v)] / 3.0;
     }
     errors.push_back(std::abs(value - exact.value(center)));
   }
@@ -38,7 +40,7 @@ std::vector<double> metric_angles(const Mesh& mesh, const std::vector<Metric>& m
   std::vector<double> angles;
   angles.reserve(3 * mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
-    const auto log_of = [&](std::size_t k) { return logs[static_cast<std::size_t>(t[k])]; };
+    const auto log_of = [&](std::size_t k) { return logs[at(t[k])]; };
     const SymmetricTensor m = exp(mean(log_of(0), log_of(1), log_of(2)));
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& p = vertex(mesh, t[k]);

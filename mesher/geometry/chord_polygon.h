@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -26,7 +27,7 @@ class SegmentChords {
   explicit SegmentChords(const Domain& domain);
 
   int size() const { return static_cast<int>(all_.size()); }
-  const SegmentChord& operator[](int chord) const { return all_[static_cast<std::size_t>(chord)]; }
+  const SegmentChord& operator[](int chord) const { return all_[at(chord)]; }
 
   /// The polygon of the chords, each of a curve in so many parts of the parameter.
   ChordPolygon polygon(int parts) const;

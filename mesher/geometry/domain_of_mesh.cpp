@@ -34,7 +34,7 @@ struct Constraint {
   }
 };
 
-int region_of(const Mesh& mesh, int triangle) { return mesh.regions[static_cast<std::size_t>(triangle)]; }
+int region_of(const Mesh& mesh, int triangle) { return mesh.regions[at(triangle)]; }
 
 bool separates(const Mesh& mesh, const MeshSide& side) {
   return side.edge >= 0 || side.is_boundary() || region_of(mesh, side.left) != region_of(mesh, side.right);
@@ -43,15 +43,15 @@ bool separates(const Mesh& mesh, const MeshSide& side) {
 std::vector<Constraint> constraints_of(const Mesh& mesh, const std::vector<MeshSide>& sides,
                                        const std::vector<std::optional<int>>& right_labels) {
   std::vector<bool> is_required(mesh.edges.size(), false);
-  for (const int e : mesh.required.edges) is_required[static_cast<std::size_t>(e)] = true;
+  for (const int e : mesh.required.edges) is_required[at(e)] = true;
   std::vector<Constraint> result;
   for (const MeshSide& side : sides) {
     if (!separates(mesh, side)) continue;
     const bool goes_down = side.is_boundary() ? side.left < 0 : side.edge_goes_down;
-    const int label = side.edge >= 0 ? mesh.labels[static_cast<std::size_t>(side.edge)] : 0;
-    const auto label_right = side.edge >= 0 ? right_labels[static_cast<std::size_t>(side.edge)] : std::nullopt;
+    const int label = side.edge >= 0 ? mesh.labels[at(side.edge)] : 0;
+    const auto label_right = side.edge >= 0 ? right_labels[at(side.edge)] : std::nullopt;
     result.push_back({goes_down ? side.high : side.low, goes_down ? side.low : side.high, label, label_right,
-                      side.is_boundary(), side.edge >= 0 && is_required[static_cast<std::size_t>(side.edge)]});
+                      side.is_boundary(), side.edge >= 0 && is_required[at(side.edge)]});
   }
   return result;
 }
@@ -193,9 +193,9 @@ std::vector<RegionSeed> region_seeds(const Mesh& mesh, const std::vector<MeshSid
 /// Keeps the points that segments use or that are required, in their order, and renumbers them.
 void compact_points(const std::vector<Point>& points, Domain* domain) {
   std::vector<int> renumbered(points.size(), -1);
-  for (const int v : domain->required_points) renumbered[static_cast<std::size_t>(v)] = 0;
+  for (const int v : domain->required_points) renumbered[at(v)] = 0;
   for (const Segment& s : domain->segments) {
-    for (const int v : {s.a, s.b}) renumbered[static_cast<std::size_t>(v)] = 0;
+    for (const int v : {s.a, s.b}) renumbered[at(v)] = 0;
   }
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (renumbered[v] < 0) continue;
@@ -203,10 +203,10 @@ void compact_points(const std::vector<Point>& points, Domain* domain) {
     domain->points.push_back(points[v]);
   }
   for (Segment& s : domain->segments) {
-    s.a = renumbered[static_cast<std::size_t>(s.a)];
-    s.b = renumbered[static_cast<std::size_t>(s.b)];
+    s.a = renumbered[at(s.a)];
+    s.b = renumbered[at(s.b)];
   }
-  for (int& v : domain->required_points) v = renumbered[static_cast<std::size_t>(v)];
+  for (int& v : domain->required_points) v = renumbered[at(v)];
 }
 
 }  // namespace

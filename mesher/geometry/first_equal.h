@@ -5,6 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 /// For each of the numbers below size the lowest one with an equal key. Cost: O(n log n).
@@ -17,7 +19,7 @@ std::vector<int> first_with_equal(std::size_t size, Key key) {
   int first = -1;
   for (const int i : order) {
     if (first < 0 || key(first) != key(i)) first = i;
-    result[static_cast<std::size_t>(i)] = first;
+    result[at(i)] = first;
   }
   return result;
 }

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 namespace {
@@ -110,9 +112,9 @@ std::vector<Keyed> sorted(std::vector<Keyed> items) {
 /// Brings the points of one cell into the order of a curve of their own.
 void order_within_cell(std::span<const Point> points, std::span<int> cell) {
   std::vector<Point> inside(cell.size());
-  for (std::size_t i = 0; i < cell.size(); ++i) inside[i] = points[static_cast<std::size_t>(cell[i])];
+  for (std::size_t i = 0; i < cell.size(); ++i) inside[i] = points[at(cell[i])];
   std::vector<int> order = hilbert_order(inside);
-  for (int& i : order) i = cell[static_cast<std::size_t>(i)];
+  for (int& i : order) i = cell[at(i)];
   std::ranges::copy(order, cell.begin());
 }
 

@@ -10,6 +10,7 @@
 #include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/rounding.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -71,8 +72,8 @@ class BoundaryLoops {
     std::vector<bool> is_done(edges_.size(), false);
     for (int first = 0; first < static_cast<int>(edges_.size()); ++first) {
       std::vector<int> loop;
-      for (int e = first; e >= 0 && !is_done[static_cast<std::size_t>(e)]; e = next(e)) {
-        is_done[static_cast<std::size_t>(e)] = true;
+      for (int e = first; e >= 0 && !is_done[at(e)]; e = next(e)) {
+        is_done[at(e)] = true;
         loop.push_back(e);
       }
       if (!loop.empty()) loops_.push_back(std::move(loop));
@@ -86,8 +87,8 @@ class BoundaryLoops {
            std::min(a.y, b.y) <= box.high.y + reach && std::max(a.y, b.y) >= box.low.y - reach;
   }
 
-  const std::array<int, 2>& edge(int e) const { return edges_[static_cast<std::size_t>(e)]; }
-  const Point& point(int v) const { return points_[static_cast<std::size_t>(v)]; }
+  const std::array<int, 2>& edge(int e) const { return edges_[at(e)]; }
+  const Point& point(int v) const { return points_[at(v)]; }
   const Point& origin(int e) const { return point(edge(e)[0]); }
   const Point& destination(int e) const { return point(edge(e)[1]); }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/geometry/point.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -34,7 +35,7 @@ class KeptPoints {
  private:
   using Cell = std::pair<double, double>;
 
-  const Point& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
+  const Point& point(int i) const { return points_[at(i)]; }
   Cell cell_of(int i) const { return {std::floor(point(i).x / tolerance_), std::floor(point(i).y / tolerance_)}; }
 
   void look_into(const Cell& cell, int i, int& first) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/index.h"
 #include "mesher/number_text.h"
 
 namespace parmesan {
@@ -27,10 +28,10 @@ struct DomainRepair {
   std::vector<SegmentSource> segment_sources;
   std::vector<std::string> repairs;
 
-  const Point& point(int i) const { return domain.points[static_cast<std::size_t>(i)]; }
-  const Segment& segment(int s) const { return domain.segments[static_cast<std::size_t>(s)]; }
-  int source_point(int i) const { return point_sources[static_cast<std::size_t>(i)]; }
-  int source_segment(int s) const { return segment_sources[static_cast<std::size_t>(s)].number; }
+  const Point& point(int i) const { return domain.points[at(i)]; }
+  const Segment& segment(int s) const { return domain.segments[at(s)]; }
+  int source_point(int i) const { return point_sources[at(i)]; }
+  int source_segment(int s) const { return segment_sources[at(s)].number; }
   std::string point_text(int i) const { return number_text(domain, source_point(i)); }
   std::string segment_text(int s) const { return number_text(domain, source_segment(s)); }
 
@@ -45,12 +46,12 @@ struct DomainRepair {
 struct StraightSegments {
   explicit StraightSegments(const std::vector<Segment>& all) {
     for (int s = 0; s < static_cast<int>(all.size()); ++s) {
-      if (!all[static_cast<std::size_t>(s)].is_straight()) continue;
-      segments.push_back(all[static_cast<std::size_t>(s)]);
+      if (!all[at(s)].is_straight()) continue;
+      segments.push_back(all[at(s)]);
       numbers.push_back(s);
     }
   }
-  int index(int straight) const { return numbers[static_cast<std::size_t>(straight)]; }
+  int index(int straight) const { return numbers[at(straight)]; }
 
   std::vector<Segment> segments;
   std::vector<int> numbers;

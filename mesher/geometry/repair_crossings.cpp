@@ -5,6 +5,7 @@
 #include "mesher/geometry/curve_crossings.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -43,7 +44,7 @@ std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::v
     notes.push_back(repair.segment_text(s) + " and " + repair.segment_text(t) + " at " + text(p));
     const int v = index.at(p);
     for (const int crossed : {s, t})
-      if (repair.segment(crossed).is_straight()) along[static_cast<std::size_t>(crossed)].push_back(v);
+      if (repair.segment(crossed).is_straight()) along[at(crossed)].push_back(v);
   }
   for (std::size_t s = 0; s < along.size(); ++s) {
     const Point& from = repair.point(repair.domain.segments[s].a);

@@ -8,6 +8,7 @@
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -17,9 +18,7 @@ constexpr double tolerance = 1e-9;  // of a curve's extent, within which a point
 /// The same as a length near a point; of pieces that are small where coordinates are large 16 ulp of these.
 double reach(const Curve& curve, const Point& p) { return std::max(tolerance * curve.extent(), rounding_of({&p, 1})); }
 
-const Curve& curve_of(const DomainRepair& repair, const Segment& s) {
-  return repair.domain.curves[static_cast<std::size_t>(s.curve)];
-}
+const Curve& curve_of(const DomainRepair& repair, const Segment& s) { return repair.domain.curves[at(s.curve)]; }
 
 void require_ends(const DomainRepair& repair, int segment) {
   const Segment& s = repair.segment(segment);
@@ -58,7 +57,7 @@ class Places {
     return found;
   }
 
-  const Point& operator[](int i) const { return places_[static_cast<std::size_t>(i)]; }
+  const Point& operator[](int i) const { return places_[at(i)]; }
 
  private:
   std::vector<Point> places_;
@@ -132,9 +131,9 @@ bool are_equal(const Curve& c, const Curve& d) {
 }  // namespace
 
 bool ends_meet(const Domain& domain, const Segment& s) {
-  const Curve& curve = domain.curves[static_cast<std::size_t>(s.curve)];
+  const Curve& curve = domain.curves[at(s.curve)];
   const auto meets = [&](const Point& end, int point) {
-    return norm(domain.points[static_cast<std::size_t>(point)] - end) <= reach(curve, end);
+    return norm(domain.points[at(point)] - end) <= reach(curve, end);
   };
   return meets(curve.at(0.0), s.a) && meets(curve.at(1.0), s.b);
 }
@@ -145,7 +144,7 @@ DomainRepair merge_equal_curves(DomainRepair repair) {
     if (s.is_straight()) continue;
     std::vector<int>& others = curves[std::minmax({s.a, s.b})];
     const auto equal = std::find_if(others.begin(), others.end(), [&](int other) {
-      return are_equal(curve_of(repair, s), repair.domain.curves[static_cast<std::size_t>(other)]);
+      return are_equal(curve_of(repair, s), repair.domain.curves[at(other)]);
     });
     if (equal == others.end()) {
       others.push_back(s.curve);

@@ -5,6 +5,7 @@
 #include "mesher/geometry/kept_points.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/rounding.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// For each point the lowest index of a point equal to it.
 std::vector<int> first_equals(const std::vector<Point>& points) {
   return first_with_equal(points.size(), [&points](int i) {
-    const Point& p = points[static_cast<std::size_t>(i)];
+    const Point& p = points[at(i)];
     return std::pair(p.x, p.y);
   });
 }
@@ -20,7 +21,7 @@ std::vector<int> first_equals(const std::vector<Point>& points) {
 std::vector<bool> curve_ends(const Domain& domain) {
   std::vector<bool> result(domain.points.size(), false);
   for (const Segment& s : domain.segments)
-    if (!s.is_straight()) result[static_cast<std::size_t>(s.a)] = result[static_cast<std::size_t>(s.b)] = true;
+    if (!s.is_straight()) result[at(s.a)] = result[at(s.b)] = true;
   return result;
 }
 
@@ -43,14 +44,14 @@ std::vector<int> first_but_for_rounding(const Domain& domain) {
   if (std::ranges::find(ends_curve, true) == ends_curve.end() || !(tolerance > 0.0)) return result;
   std::vector<bool> stands_for_end(result.size(), false);
   for (std::size_t i = 0; i < result.size(); ++i)
-    if (ends_curve[i]) stands_for_end[static_cast<std::size_t>(result[i])] = true;
+    if (ends_curve[i]) stands_for_end[at(result[i])] = true;
   KeptPoints kept(domain.points, tolerance);
   std::vector<int> near = result;
   for (const bool of_curve : {true, false})
     for (int i = 0; i < static_cast<int>(result.size()); ++i)
-      if (result[static_cast<std::size_t>(i)] == i && stands_for_end[static_cast<std::size_t>(i)] == of_curve)
-        near[static_cast<std::size_t>(i)] = of_curve ? kept.find_or_keep(i) : kept.find(i);
-  for (int& first : result) first = near[static_cast<std::size_t>(first)];
+      if (result[at(i)] == i && stands_for_end[at(i)] == of_curve)
+        near[at(i)] = of_curve ? kept.find_or_keep(i) : kept.find(i);
+  for (int& first : result) first = near[at(first)];
   return result;
 }
 
@@ -73,9 +74,7 @@ DomainRepair merge_points(const Domain& domain) {
       merged.push_back(number_text(domain, static_cast<int>(i)) + " into " + number_text(domain, first[i]));
     }
   }
-  const auto new_number = [&](int i) {
-    return renumbered[static_cast<std::size_t>(first[static_cast<std::size_t>(i)])];
-  };
+  const auto new_number = [&](int i) { return renumbered[at(first[at(i)])]; };
   for (Segment& s : repair.domain.segments) {
     s.a = new_number(s.a);
     s.b = new_number(s.b);

@@ -8,6 +8,7 @@
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -16,7 +17,7 @@ namespace {
 /// For each segment the lowest index of one that joins the same two points in the same way.
 std::vector<int> first_between_same_points(const std::vector<Segment>& segments) {
   const auto ends = [&segments](int s) {
-    const Segment& segment = segments[static_cast<std::size_t>(s)];
+    const Segment& segment = segments[at(s)];
     return std::tuple(std::min(segment.a, segment.b), std::max(segment.a, segment.b), segment.curve);
   };
   return first_with_equal(segments.size(), ends);
@@ -60,8 +61,8 @@ FreeEnds free_ends(const Domain& domain) {
   std::vector<int> degree(domain.points.size(), 0);
   std::vector<int> incident(domain.points.size(), 0);  // exclusive or of the segments not peeled off
   const auto toggle = [&degree, &incident](int v, int s, int change) {
-    degree[static_cast<std::size_t>(v)] += change;
-    incident[static_cast<std::size_t>(v)] ^= s;
+    degree[at(v)] += change;
+    incident[at(v)] ^= s;
   };
   int num_left = 0;
   for (const Segment& s : domain.segments) {
@@ -70,12 +71,12 @@ FreeEnds free_ends(const Domain& domain) {
   }
   FreeEnds found;
   for (int v = 0; v < static_cast<int>(degree.size()); ++v) {
-    if (degree[static_cast<std::size_t>(v)] == 1) found.points.push_back(v);
+    if (degree[at(v)] == 1) found.points.push_back(v);
   }
   for (int v : found.points) {
-    for (; degree[static_cast<std::size_t>(v)] == 1; --num_left) {
-      const int s = incident[static_cast<std::size_t>(v)];
-      const Segment& segment = domain.segments[static_cast<std::size_t>(s)];
+    for (; degree[at(v)] == 1; --num_left) {
+      const int s = incident[at(v)];
+      const Segment& segment = domain.segments[at(s)];
       toggle(segment.a, s, -1);
       toggle(segment.b, s, -1);
       v = segment.a == v ? segment.b : segment.a;
@@ -158,9 +159,9 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
   std::vector<int> cracks(repair.domain.points.size(), 0);
   for (const Segment& s : repair.domain.segments)
     if (s.label_right)
-      for (const int v : {s.a, s.b}) ++cracks[static_cast<std::size_t>(v)];
+      for (const int v : {s.a, s.b}) ++cracks[at(v)];
   // Whether other segments there are the boundary, where it would be open, is not known yet.
-  const auto may_be_tip = [&](int v) { return cracks[static_cast<std::size_t>(v)] == 1; };
+  const auto may_be_tip = [&](int v) { return cracks[at(v)] == 1; };
   int next_source = repair.next_source_point();
   bool any_curved = false;
   const std::size_t num_segments = repair.domain.segments.size();
@@ -190,10 +191,10 @@ DomainRepair require_enclosure(DomainRepair repair) {
   }
   std::vector<bool> ends_crack(repair.domain.points.size(), false);  // tips are no surprise
   for (const Segment& s : repair.domain.segments)
-    if (s.label_right) ends_crack[static_cast<std::size_t>(s.a)] = ends_crack[static_cast<std::size_t>(s.b)] = true;
+    if (s.label_right) ends_crack[at(s.a)] = ends_crack[at(s.b)] = true;
   std::vector<std::string> names;
   for (const int v : found.points)
-    if (!ends_crack[static_cast<std::size_t>(v)]) names.push_back("point " + repair.point_text(v));
+    if (!ends_crack[at(v)]) names.push_back("point " + repair.point_text(v));
   repair.note("kept as constraints, where they lie inside, the chains at", "free end", names);
   return repair;
 }

@@ -9,6 +9,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -87,8 +88,8 @@ class ContactSearch {
 
  private:
   bool is_over() const { return found_.size() >= max_crossings_ || num_visits_ >= max_visits_; }
-  const Point& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
-  const Segment& segment(int s) const { return segments_[static_cast<std::size_t>(s)]; }
+  const Point& point(int i) const { return points_[at(i)]; }
+  const Segment& segment(int s) const { return segments_[at(s)]; }
 
   /// Divides cells until few pairs are left to compare in each.
   template <class NumPairs, class Compare>

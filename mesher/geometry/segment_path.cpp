@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 namespace {
 
-const Point& point(const Domain& domain, int i) { return domain.points[static_cast<std::size_t>(i)]; }
+const Point& point(const Domain& domain, int i) { return domain.points[at(i)]; }
 
-const Curve& curve_of(const Domain& domain, const Segment& segment) {
-  return domain.curves[static_cast<std::size_t>(segment.curve)];
-}
+const Curve& curve_of(const Domain& domain, const Segment& segment) { return domain.curves[at(segment.curve)]; }
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 Point nearest_on_segment(const Point& a, const Point& b, const Point& p) {
@@ -20,13 +22,13 @@ SegmentTree::SegmentTree(const Domain& domain) : domain_(&domain), order_(domain
 int SegmentTree::build(int first, int last) {
   constexpr int in_leaf = 8;
   const auto end = [&](int s, bool is_first) {
-    const Segment& segment = domain_->segments[static_cast<std::size_t>(s)];
-    return domain_->points[static_cast<std::size_t>(is_first ? segment.a : segment.b)];
+    const Segment& segment = domain_->segments[at(s)];
+    return domain_->points[at(is_first ? segment.a : segment.b)];
   };
   Node node{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}, first, last};
   for (int i = first; i < last; ++i) {
     for (const bool is_first : {true, false}) {
-      const Point p = end(order_[static_cast<std::size_t>(i)], is_first);
+      const Point p = end(order_[at(i)], is_first);
       node.low = {std::min(node.low.x, p.x), std::min(node.low.y, p.y)};
       node.high = {std::max(node.high.x, p.x), std::max(node.high.y, p.y)};
     }
@@ -53,9 +55,8 @@ double SegmentTree::distance_to_box(const Node& node, const Point& p) const {
 }
 
 Point SegmentTree::place_on(int segment, const Point& p) const {
-  const Segment& s = domain_->segments[static_cast<std::size_t>(segment)];
-  return nearest_on_segment(domain_->points[static_cast<std::size_t>(s.a)],
-                            domain_->points[static_cast<std::size_t>(s.b)], p);
+  const Segment& s = domain_->segments[at(segment)];
+  return nearest_on_segment(domain_->points[at(s.a)], domain_->points[at(s.b)], p);
 }
 
 }  // namespace parmesan

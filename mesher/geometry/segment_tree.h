@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -52,18 +53,18 @@ class SegmentTree {
 
   template <class Accepts>
   void search(int index, const Point& p, Accepts& accepts, NearestSegment& best) const {
-    const Node& node = nodes_[static_cast<std::size_t>(index)];
+    const Node& node = nodes_[at(index)];
     if (distance_to_box(node, p) >= best.distance) return;
     if (node.left >= 0) {
-      const Node& left = nodes_[static_cast<std::size_t>(node.left)];
-      const Node& right = nodes_[static_cast<std::size_t>(node.right)];
+      const Node& left = nodes_[at(node.left)];
+      const Node& right = nodes_[at(node.right)];
       const bool left_first = distance_to_box(left, p) <= distance_to_box(right, p);
       search(left_first ? node.left : node.right, p, accepts, best);
       search(left_first ? node.right : node.left, p, accepts, best);
       return;
     }
     for (int i = node.first; i < node.last; ++i) {
-      const int s = order_[static_cast<std::size_t>(i)];
+      const int s = order_[at(i)];
       if (!accepts(s)) continue;
       const Point place = place_on(s, p);
       const double distance = norm(place - p);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/io/hanging_vertices.h"
 #include "mesher/mesh_sides.h"
 #include "mesher/validate.h"
@@ -42,7 +43,7 @@ void cover_boundary(Mesh& mesh, const HalfEdges& half_edges) {
     if (side.edge < 0) {
       mesh.edges.push_back(ends);
     } else {
-      mesh.edges[static_cast<std::size_t>(side.edge)] = ends;
+      mesh.edges[at(side.edge)] = ends;
     }
   }
   mesh.labels.resize(mesh.edges.size(), 0);

@@ -7,6 +7,7 @@
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_tree.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -32,8 +33,8 @@ class HangingSearch {
   }
 
  private:
-  const Point& point(int v) const { return points_[static_cast<std::size_t>(v)]; }
-  const BoundarySide& side(int s) const { return sides_[static_cast<std::size_t>(s)]; }
+  const Point& point(int v) const { return points_[at(v)]; }
+  const BoundarySide& side(int s) const { return sides_[at(s)]; }
 
   bool ends_at(const BoundarySide& side, const Point& p) const { return point(side.from) == p || point(side.to) == p; }
 

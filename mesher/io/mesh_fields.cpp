@@ -1,6 +1,7 @@
 #include "mesher/io/mesh_fields.h"
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -18,7 +19,7 @@ void check_field(const MeshField& field, std::size_t entities, const char* where
 
 std::vector<unsigned char> required_marks(const std::vector<int>& required, std::size_t n) {
   std::vector<unsigned char> marks(n, 0);
-  for (const int i : required) marks[static_cast<std::size_t>(i)] = 1;
+  for (const int i : required) marks[at(i)] = 1;
   return marks;
 }
 

@@ -8,6 +8,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/domain_of_mesh.h"
+#include "mesher/index.h"
 #include "mesher/io/boundary_edges.h"
 #include "mesher/io/eps.h"
 #include "mesher/io/medit.h"
@@ -121,7 +122,7 @@ namespace {
 // A mesh in which only some are clockwise is wrong.
 Mesh turned_if_clockwise(Mesh mesh) {
   const auto is_clockwise = [&mesh](const std::array<int, 3>& t) {
-    const auto corner = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(t[k])]; };
+    const auto corner = [&](std::size_t k) { return mesh.points[at(t[k])]; };
     return doubled_area(corner(0), corner(1), corner(2)) < 0.0;
   };
   if (std::ranges::all_of(mesh.triangles, is_clockwise))

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "mesher/index.h"
 #include "mesher/io/utf8.h"
 
 namespace parmesan {
@@ -71,7 +72,7 @@ MshEntityGroups read_msh_entities(MshInput& in) {
   std::array<std::size_t, 4> counts{};
   for (std::size_t& count : counts) count = in.count("the number of entities", 2);
   for (int dimension = 0; dimension < 4; ++dimension) {
-    for (std::size_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) read_entity(in, dimension, groups);
+    for (std::size_t i = 0; i < counts[at(dimension)]; ++i) read_entity(in, dimension, groups);
   }
   in.end_numbers();
   return groups;

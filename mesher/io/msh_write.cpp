@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/io/msh.h"
 #include "mesher/io/msh_numbers.h"
 #include "mesher/io/output_file.h"
@@ -179,8 +180,7 @@ class MshWriter {
     numbers_.end_row();
     for (const int i : group.members) {
       numbers_.size(first_tag + static_cast<std::size_t>(i));
-      for (const int vertex : elements[static_cast<std::size_t>(i)])
-        numbers_.size(static_cast<std::size_t>(vertex) + 1);
+      for (const int vertex : elements[at(i)]) numbers_.size(static_cast<std::size_t>(vertex) + 1);
       numbers_.end_row();
     }
   }

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/text.h"
 #include "mesher/io/triangle_files.h"
@@ -19,7 +20,7 @@ void read_segments(TextReader& in, const TriangleNodes& nodes, Domain& domain) {
     // Segments, holes and regions are numbered from 0 or 1 on their own.
     if (i == 0) base = in.index("the number of the first segment", 0, 2);
     if (i > 0) start_row(in, base, i);
-    Segment& segment = domain.segments[static_cast<std::size_t>(i)];
+    Segment& segment = domain.segments[at(i)];
     segment.a = index_on_line(in, "the end point of a segment", nodes);
     segment.b = index_on_line(in, "the end point of a segment", nodes);
     segment.label = integer_on_line_or(in, "the marker of a segment", 0);

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 /// Finds the index of a tag, 0 for the first one that was added.
@@ -16,7 +18,7 @@ class TagMap {
   bool finish();
 
   std::size_t size() const { return tags_.size(); }
-  std::int64_t tag(int index) const { return tags_[static_cast<std::size_t>(index)]; }
+  std::int64_t tag(int index) const { return tags_[at(index)]; }
 
   /// -1 for a tag that was not added. Cost: O(1), O(log n) for tags with gaps.
   int index(std::int64_t tag) const;

@@ -1,5 +1,7 @@
 #include "mesher/io/triangle_rows.h"
 
+#include "mesher/index.h"
+
 namespace parmesan {
 namespace {
 
@@ -44,7 +46,7 @@ TriangleNodes read_triangle_nodes(TextReader& in) {
   for (int i = 0; i < count; ++i) {
     if (i == 0) nodes.base = in.index("the number of the first vertex", 0, 2);
     if (i > 0) start_row(in, nodes.base, i);
-    Point& point = nodes.points[static_cast<std::size_t>(i)];
+    Point& point = nodes.points[at(i)];
     point.x = real_on_line(in, "the x coordinate");
     point.y = real_on_line(in, "the y coordinate");
     in.skip_line();

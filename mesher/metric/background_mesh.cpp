@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/cracks.h"
+#include "mesher/index.h"
 #include "mesher/metric/exponential_mean.h"
 #include "mesher/metric/logarithms.h"
 
@@ -22,9 +23,7 @@ std::vector<SymmetricTensor> tensors_of(std::span<const Metric> metrics, MetricI
 std::vector<Metric> intersected_on_cracks(const Mesh& mesh, std::span<const Metric> metrics) {
   const ClosedMesh closed = close_cracks(mesh);
   std::vector<std::optional<Metric>> at_place(closed.mesh.points.size());
-  const auto place_of = [&](std::size_t v) -> std::optional<Metric>& {
-    return at_place[static_cast<std::size_t>(closed.vertices[v])];
-  };
+  const auto place_of = [&](std::size_t v) -> std::optional<Metric>& { return at_place[at(closed.vertices[v])]; };
   for (std::size_t v = 0; v < metrics.size(); ++v)
     place_of(v) = place_of(v) ? intersect(*place_of(v), metrics[v]) : metrics[v];
   std::vector<Metric> result;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 
 namespace parmesan {
@@ -53,7 +54,7 @@ std::vector<double> densities(const Mesh& mesh, const MetricField& field) {
   for (int range = 0; range < ranges.count(); ++range)
     for (std::size_t t = ranges.first(range); t < ranges.last(range); ++t)
       for (const int v : mesh.triangles[t])
-        if (range_of[static_cast<std::size_t>(v)] == unclaimed) range_of[static_cast<std::size_t>(v)] = range;
+        if (range_of[at(v)] == unclaimed) range_of[at(v)] = range;
   constexpr double unknown = -1.0;
   std::vector<double> density(mesh.points.size(), unknown);
   parallel_for(ranges.count(), [&](int range) {
@@ -73,7 +74,7 @@ template <class F>
 double integrate_by_corners(const Mesh& mesh, F density) {
   double sum = 0.0;
   for (const auto& corners : mesh.triangles) {
-    const auto point = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(corners[k])]; };
+    const auto point = [&](std::size_t k) { return mesh.points[at(corners[k])]; };
     double of_corners = 0.0;
     for (const int v : corners) of_corners += density(static_cast<std::size_t>(v));
     sum += doubled_area(point(0), point(1), point(2)) * of_corners / 6.0;
@@ -92,9 +93,9 @@ double integrate_complexity(const Mesh& mesh, const MetricField& field) {
   Integrator integrator{field};
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
-    const Point& a = mesh.points[static_cast<std::size_t>(t[0])];
-    const Point& b = mesh.points[static_cast<std::size_t>(t[1])];
-    const Point& c = mesh.points[static_cast<std::size_t>(t[2])];
+    const Point& a = mesh.points[at(t[0])];
+    const Point& b = mesh.points[at(t[1])];
+    const Point& c = mesh.points[at(t[2])];
     sum += integrator.integrate(a, b, c, integrator.midpoint_rule(a, b, c), 0);
   }
   return sum;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -31,7 +32,7 @@ VertexNeighbors vertex_neighbors(const Mesh& mesh) {
   std::vector<std::size_t> fill(n.start.begin(), n.start.end() - 1);
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      std::size_t& next = fill[static_cast<std::size_t>(t[k])];
+      std::size_t& next = fill[at(t[k])];
       n.vertex[next++] = t[(k + 1) % 3];
       n.vertex[next++] = t[(k + 2) % 3];
     }

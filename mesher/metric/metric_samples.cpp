@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/delaunay.h"
 
@@ -14,7 +15,7 @@ BackgroundMesh background_of_samples(std::span<const Point> points, std::span<co
   const ConvertedMesh converted = to_mesh(delaunay(points).triangulation, {});
   std::vector<Metric> of_vertices;
   of_vertices.reserve(converted.slots.size());
-  for (const VertexId v : converted.slots) of_vertices.push_back(metrics[static_cast<std::size_t>(v)]);
+  for (const VertexId v : converted.slots) of_vertices.push_back(metrics[at(v)]);
   return BackgroundMesh(converted.mesh, of_vertices, interpolation);
 }
 

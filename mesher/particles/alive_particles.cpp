@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 void AliveParticles::wake(VertexId v, double weight) {
@@ -17,10 +19,10 @@ void AliveParticles::wake(VertexId v, double weight) {
 
 void AliveParticles::put_to_sleep(VertexId v) {
   if (!contains(v)) return;
-  std::int32_t& place = place_[static_cast<std::size_t>(v)];
+  std::int32_t& place = place_[at(v)];
   const VertexId last = list_.back();
-  list_[static_cast<std::size_t>(place)] = last;
-  place_[static_cast<std::size_t>(last)] = place;
+  list_[at(place)] = last;
+  place_[at(last)] = place;
   place = -1;
   list_.pop_back();
   if (picking_ == Picking::BySpeed) set_weight(v, 0.0);

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/particles/particle_options.h"
 #include "mesher/triangulation/quad_edge.h"
 
@@ -19,9 +20,7 @@ class AliveParticles {
   bool empty() const { return list_.empty(); }
   std::int64_t size() const { return static_cast<std::int64_t>(list_.size()); }
   const std::vector<VertexId>& all() const { return list_; }
-  bool contains(VertexId v) const {
-    return static_cast<std::size_t>(v) < place_.size() && place_[static_cast<std::size_t>(v)] >= 0;
-  }
+  bool contains(VertexId v) const { return static_cast<std::size_t>(v) < place_.size() && place_[at(v)] >= 0; }
 
   /// Wakes v, or only changes its weight. weight: positive; of no account for uniform picks.
   void wake(VertexId v, double weight);

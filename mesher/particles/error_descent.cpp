@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/metric_flips.h"
 #include "mesher/particles/triangle_error.h"
@@ -73,7 +74,7 @@ struct Track {
 
 Track track_of(const ParticleSystem& particles, VertexId v) {
   const Domain& domain = particles.domain();
-  return {domain, domain.segments[static_cast<std::size_t>(particles.binding(v))]};
+  return {domain, domain.segments[at(particles.binding(v))]};
 }
 
 double quality(const ParticleSystem& particles, VertexId a, VertexId b, VertexId c) {
@@ -96,8 +97,8 @@ ErrorDescent::ErrorDescent(ParticleSystem& particles, const TensorField& hessian
   MetricHint last = -1;
   for (VertexId v = 0; v < mesh.num_slots(); ++v) {
     if (!mesh.has_vertex(v)) continue;
-    hessians_[static_cast<std::size_t>(v)] = field_.at(mesh.point(v), last);
-    hints_[static_cast<std::size_t>(v)] = last;
+    hessians_[at(v)] = field_.at(mesh.point(v), last);
+    hints_[at(v)] = last;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/metric/tensor_field.h"
 #include "mesher/particles/error_star.h"
 #include "mesher/particles/particle_system.h"
@@ -44,7 +45,7 @@ class ErrorDescent {
   int flip_edges();
 
  private:
-  const SymmetricTensor& hessian(VertexId v) const { return hessians_[static_cast<std::size_t>(v)]; }
+  const SymmetricTensor& hessian(VertexId v) const { return hessians_[at(v)]; }
   double triangle_error(VertexId a, VertexId b, VertexId c) const;
   bool descend(VertexId v);
   bool try_place(VertexId v, const Point& to, double error_before);

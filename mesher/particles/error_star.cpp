@@ -1,12 +1,14 @@
 #include "mesher/particles/error_star.h"
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 void ErrorStar::gather(const ParticleSystem& particles, std::span<const SymmetricTensor> hessians, VertexId v) {
   star_.gather(particles, v);
   around_.clear();
   for (std::size_t i = 0; i < star_.size(); ++i)
-    around_.push_back(hessians[static_cast<std::size_t>(particles.mesh().dest(star_.spoke(i).edge))]);
+    around_.push_back(hessians[at(particles.mesh().dest(star_.spoke(i).edge))]);
 }
 
 template <class F>

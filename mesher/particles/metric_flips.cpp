@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/parallel.h"
 #include "mesher/particles/blocks.h"
@@ -124,9 +125,8 @@ long flip_all(ParticleSystem& particles) {
   const Blocks order(particles);
   const std::vector<Block> blocks = order.cut(0);
   std::vector<Remainder> remainders(blocks.size());
-  parallel_for(static_cast<int>(blocks.size()), [&](int i) {
-    remainders[static_cast<std::size_t>(i)] = flip_block(particles, blocks[static_cast<std::size_t>(i)]);
-  });
+  parallel_for(static_cast<int>(blocks.size()),
+               [&](int i) { remainders[at(i)] = flip_block(particles, blocks[at(i)]); });
   long flips = 0;
   long cap = flips_per_edge * particles.mesh().size();
   for (Remainder& r : remainders) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 #include "mesher/particles/forces.h"
 #include "mesher/particles/metric_flips.h"
@@ -52,7 +53,7 @@ bool try_move(ParticleSystem& particles, const Star& star, VertexId v, const Vec
 
 bool try_slide(ParticleSystem& particles, const Star& star, VertexId v, double target, Update update) {
   const Domain& domain = particles.domain();
-  const Segment& s = domain.segments[static_cast<std::size_t>(particles.binding(v))];
+  const Segment& s = domain.segments[at(particles.binding(v))];
   const Point from = particles.mesh().point(v);
   const Point end = point_on(domain, s, target);
   if (end == from) return false;
@@ -135,7 +136,7 @@ std::optional<Vector> Visitor::step(VertexId v) {
 bool Visitor::visit(VertexId v) {
   if (particles_.binding(v) == fixed_particle) return true;
   const bool is_free = particles_.is_free(v);
-  const double target = is_free ? 0.0 : targets_[static_cast<std::size_t>(v)];
+  const double target = is_free ? 0.0 : targets_[at(v)];
   if (std::isnan(target)) return true;
   if (!star_.gather_within(territory_, particles_, v)) return false;
   const Point from = particles_.mesh().point(v);
@@ -173,10 +174,10 @@ void sweep(ParticleSystem& particles, const Blocks& blocks, int cut, std::span<c
   const auto visit = [&](const std::vector<Block>& all) {
     std::vector<std::vector<VertexId>> left_over(all.size());
     parallel_for(static_cast<int>(all.size()), [&](int i) {
-      const Block& block = all[static_cast<std::size_t>(i)];
+      const Block& block = all[at(i)];
       Visitor visitor(particles, targets, options, block.territory);
       for (const VertexId v : block.particles)
-        if (!visitor.visit(v)) left_over[static_cast<std::size_t>(i)].push_back(v);
+        if (!visitor.visit(v)) left_over[at(i)].push_back(v);
     });
     return joined(left_over);
   };

@@ -5,6 +5,7 @@
 
 #include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/point_finder.h"
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 
@@ -30,15 +31,13 @@ ParticleSystem::ParticleSystem(Triangulation triangulation, const Domain& domain
 
 // A vertex that is an end of its segment is a domain point; other vertices of a segment slide on it.
 void ParticleSystem::bind_to_segments() {
-  const auto same_place = [this](int point, VertexId v) {
-    return domain_->points[static_cast<std::size_t>(point)] == mesh_.point(v);
-  };
+  const auto same_place = [this](int point, VertexId v) { return domain_->points[at(point)] == mesh_.point(v); };
   for (std::int32_t q = 0; q < mesh_.size(); ++q) {
     const EdgeId e{4 * q};
     if (!mesh_.is_alive(q) || !mesh_.is_constrained(e)) continue;
-    const Segment& segment = domain_->segments[static_cast<std::size_t>(mesh_.segment(e))];
+    const Segment& segment = domain_->segments[at(mesh_.segment(e))];
     for (const VertexId v : {mesh_.org(e), mesh_.dest(e)}) {
-      Binding& b = binding_[static_cast<std::size_t>(v)];
+      Binding& b = binding_[at(v)];
       if (same_place(segment.a, v) || same_place(segment.b, v)) b = fixed_particle;
       if (b == free_particle) b = mesh_.segment(e);
     }
@@ -51,7 +50,7 @@ void ParticleSystem::fix_isolated_points() {
   if (numbers.empty()) return;
   const PointFinder isolated(domain_->points, numbers);
   for (VertexId v = 0; v < mesh_.num_slots(); ++v)
-    if (mesh_.has_vertex(v) && isolated.holds(mesh_.point(v))) binding_[static_cast<std::size_t>(v)] = fixed_particle;
+    if (mesh_.has_vertex(v) && isolated.holds(mesh_.point(v))) binding_[at(v)] = fixed_particle;
 }
 
 // Each particle, then its neighbours in the same range, as a walk from a neighbour is short.
@@ -89,13 +88,13 @@ Metric ParticleSystem::evaluate(const Point& p, MetricHint& hint) const {
 }
 
 Metric ParticleSystem::metric_near(VertexId v, const Point& p) const {
-  MetricHint hint = hint_[static_cast<std::size_t>(v)];
+  MetricHint hint = hint_[at(v)];
   return evaluate(p, hint);
 }
 
 void ParticleSystem::move(VertexId v, const Point& p) {
   mesh_.set_point(v, p);
-  metric_[static_cast<std::size_t>(v)] = evaluate(p, hint_[static_cast<std::size_t>(v)]);
+  metric_[at(v)] = evaluate(p, hint_[at(v)]);
 }
 
 VertexId ParticleSystem::create_on_edge(EdgeId e, const Point& p) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/index.h"
 #include "mesher/metric/metric_field.h"
 #include "mesher/triangulation/triangulation.h"
 
@@ -37,13 +38,13 @@ class ParticleSystem {
   const Triangulation& mesh() const { return mesh_; }
   const Domain& domain() const { return *domain_; }
 
-  const Metric& metric(VertexId v) const { return metric_[static_cast<std::size_t>(v)]; }
-  Binding binding(VertexId v) const { return binding_[static_cast<std::size_t>(v)]; }
+  const Metric& metric(VertexId v) const { return metric_[at(v)]; }
+  Binding binding(VertexId v) const { return binding_[at(v)]; }
   bool is_free(VertexId v) const { return binding(v) == free_particle; }
 
   /// Where v is along the curve that the particles were numbered by at the start. A new particle takes
   /// the place of a neighbour.
-  std::int32_t place(VertexId v) const { return place_[static_cast<std::size_t>(v)]; }
+  std::int32_t place(VertexId v) const { return place_[at(v)]; }
 
   /// Moves a particle and re-evaluates its metric. The caller has checked the star.
   void move(VertexId v, const Point& p);
@@ -52,9 +53,9 @@ class ParticleSystem {
   void keep_velocities() { velocity_.resize(metric_.size()); }
 
   /// How far the particle went when it was last moved by a sweep (the velocity of thesis 3.13).
-  const Vector& velocity(VertexId v) const { return velocity_[static_cast<std::size_t>(v)]; }
+  const Vector& velocity(VertexId v) const { return velocity_[at(v)]; }
   void set_velocity(VertexId v, const Vector& d) {
-    if (!velocity_.empty()) velocity_[static_cast<std::size_t>(v)] = d;
+    if (!velocity_.empty()) velocity_[at(v)] = d;
   }
 
   /// A new particle p in the middle of e (see Triangulation::split_edge); bound if e is constrained.
@@ -64,7 +65,7 @@ class ParticleSystem {
   VertexId create_in_face(EdgeId e, const Point& p);
 
   /// Where a look-up of the metric near v starts well.
-  MetricHint hint(VertexId v) const { return hint_[static_cast<std::size_t>(v)]; }
+  MetricHint hint(VertexId v) const { return hint_[at(v)]; }
 
   /// The metric that a particle at p near v would feel.
   Metric metric_near(VertexId v, const Point& p) const;

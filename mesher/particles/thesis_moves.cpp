@@ -5,6 +5,7 @@
 
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/circumcentre.h"
 #include "mesher/particles/collapse.h"
@@ -44,7 +45,7 @@ bool is_star_valid(const Triangulation& t, VertexId v, const Point& p) {
 Point bound_place(const ParticleSystem& particles, VertexId v, const Point& p) {
   if (particles.is_free(v)) return p;
   const Domain& domain = particles.domain();
-  const Segment& s = domain.segments[static_cast<std::size_t>(particles.binding(v))];
+  const Segment& s = domain.segments[at(particles.binding(v))];
   return point_on(domain, s, std::clamp(parameter_on(domain, s, p), 0.0, 1.0));
 }
 
@@ -54,7 +55,7 @@ Point middle_of(const ParticleSystem& particles, EdgeId e) {
   const Domain& domain = particles.domain();
   const Point p = midpoint(mesh.point(mesh.org(e)), mesh.point(mesh.dest(e)));
   if (!mesh.is_constrained(e)) return p;
-  const Segment& s = domain.segments[static_cast<std::size_t>(mesh.segment(e))];
+  const Segment& s = domain.segments[at(mesh.segment(e))];
   return s.is_straight() ? p : point_on(domain, s, parameter_on(domain, s, p));
 }
 

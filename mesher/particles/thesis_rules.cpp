@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
 #include "mesher/particles/edge_measures.h"
 #include "mesher/particles/neighbourhood.h"
@@ -27,7 +28,7 @@ double length_of(const ParticleSystem& particles, EdgeId e, EdgeDistance distanc
 
 bool is_required(const ParticleSystem& particles, EdgeId e) {
   const std::int32_t segment = particles.mesh().segment(e);
-  return segment >= 0 && particles.domain().segments[static_cast<std::size_t>(segment)].required;
+  return segment >= 0 && particles.domain().segments[at(segment)].required;
 }
 
 }  // namespace

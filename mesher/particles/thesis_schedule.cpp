@@ -7,6 +7,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/hilbert.h"
+#include "mesher/index.h"
 #include "mesher/number_text.h"
 #include "mesher/particles/alive_particles.h"
 #include "mesher/particles/forces.h"
@@ -169,7 +170,7 @@ void ThesisSchedule::pick_next() {
   if (queue_.empty()) {
     std::vector<Point> places;
     for (const VertexId v : alive_.all()) places.push_back(particles_.mesh().point(v));
-    for (const int i : hilbert_order(places)) queue_.push_back(alive_.all()[static_cast<std::size_t>(i)]);
+    for (const int i : hilbert_order(places)) queue_.push_back(alive_.all()[at(i)]);
   }
   const VertexId v = queue_.back();
   queue_.pop_back();

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "mesher/geometry/predicates.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -80,7 +81,7 @@ bool check_all_links(const Triangulation& t, Violations& violations) {
 void check_vertices(const Triangulation& t, Violations& violations) {
   std::vector<int> spokes(static_cast<std::size_t>(t.num_slots()), 0);
   for (std::int32_t index = 0; index < 4 * t.size(); index += 2)
-    if (t.is_alive(index / 4)) ++spokes[static_cast<std::size_t>(t.org({index}))];
+    if (t.is_alive(index / 4)) ++spokes[at(t.org({index}))];
   std::int32_t live = 0;
   for (VertexId v = 0; v < t.num_slots(); ++v) {
     if (!t.has_vertex(v)) continue;
@@ -90,8 +91,8 @@ void check_vertices(const Triangulation& t, Violations& violations) {
       violations.add("edge_of does not start at vertex", v);
       continue;
     }
-    for_each_spoke(t, v, [&](EdgeId) { --spokes[static_cast<std::size_t>(v)]; });
-    violations.require(spokes[static_cast<std::size_t>(v)] == 0, "not all edges lie in one ring at vertex", v);
+    for_each_spoke(t, v, [&](EdgeId) { --spokes[at(v)]; });
+    violations.require(spokes[at(v)] == 0, "not all edges lie in one ring at vertex", v);
   }
   violations.require(live == t.num_vertices(), "num_vertices is not the number of live vertices:", live);
 }

@@ -6,6 +6,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/hilbert.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -27,23 +28,23 @@ std::vector<int> insertion_order(const std::vector<int>& order) {
 
 /// Brings three non-collinear points to the front of order.
 void find_first_triangle(std::span<const Point> points, std::vector<int>& order) {
-  const auto at = [&](std::size_t k) -> const Point& { return points[static_cast<std::size_t>(order[k])]; };
+  const auto point = [&](std::size_t k) -> const Point& { return points[at(order[k])]; };
   std::size_t second = 1;
-  while (second < order.size() && at(second) == at(0)) ++second;
+  while (second < order.size() && point(second) == point(0)) ++second;
   std::size_t third = second + 1;
-  while (third < order.size() && orient2d(at(0), at(second), at(third)) == 0.0) ++third;
+  while (third < order.size() && orient2d(point(0), point(second), point(third)) == 0.0) ++third;
   if (third >= order.size())
     throw GeometryError("a triangulation needs three points that are not collinear; there are " +
                         std::to_string(points.size()) + " points");
   std::swap(order[1], order[second]);
   std::swap(order[2], order[third]);
-  if (orient2d(at(0), at(1), at(2)) < 0.0) std::swap(order[1], order[2]);
+  if (orient2d(point(0), point(1), point(2)) < 0.0) std::swap(order[1], order[2]);
 }
 
 /// Copied before they are inserted: one by one from their places, each would be waited for.
 std::vector<Point> in_order(std::span<const Point> points, const std::vector<int>& order) {
   std::vector<Point> result(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) result[k] = points[static_cast<std::size_t>(order[k])];
+  for (std::size_t k = 0; k < order.size(); ++k) result[k] = points[at(order[k])];
   return result;
 }
 
@@ -61,8 +62,7 @@ void make_triangle(Triangulation& t, const std::array<VertexId, 3>& v) {
 void renumber(Triangulation& t, const std::vector<int>& new_id, std::span<const Point> points) {
   const VertexId old_slots = t.num_slots();
   std::vector<EdgeId> edge_of(points.size(), no_edge);
-  for (VertexId v = 0; v < old_slots; ++v)
-    edge_of[static_cast<std::size_t>(new_id[static_cast<std::size_t>(v)])] = t.edge_of(v);
+  for (VertexId v = 0; v < old_slots; ++v) edge_of[at(new_id[at(v)])] = t.edge_of(v);
   while (t.num_slots() < static_cast<VertexId>(points.size())) t.add_vertex({});
   for (VertexId v = t.num_slots() - 1; v >= 0; --v) {
     const auto i = static_cast<std::size_t>(v);
@@ -70,8 +70,7 @@ void renumber(Triangulation& t, const std::vector<int>& new_id, std::span<const 
     t.set_edge_of(v, edge_of[i]);
     if (edge_of[i] == no_edge) t.remove_isolated_vertex(v);
   }
-  for (std::int32_t index = 0; index < 4 * t.size(); index += 2)
-    t.set_org({index}, new_id[static_cast<std::size_t>(t.org({index}))]);
+  for (std::int32_t index = 0; index < 4 * t.size(); index += 2) t.set_org({index}, new_id[at(t.org({index}))]);
 }
 
 }  // namespace
@@ -94,13 +93,13 @@ PointTriangulation delaunay(std::span<const Point> points) {
     if (last == before) {
       point_of.push_back(order[k]);
     } else {
-      int& first = point_of[static_cast<std::size_t>(last)];
+      int& first = point_of[at(last)];
       const int later = std::max(first, order[k]);
       first = std::min(first, order[k]);
       result.duplicates.push_back({later, last});
     }
   }
-  for (DuplicatePoint& d : result.duplicates) d.first = point_of[static_cast<std::size_t>(d.first)];
+  for (DuplicatePoint& d : result.duplicates) d.first = point_of[at(d.first)];
   renumber(t, point_of, points);
   return result;
 }

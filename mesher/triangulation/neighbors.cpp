@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "mesher/half_edges.h"
+#include "mesher/index.h"
 #include "mesher/parallel.h"
 
 namespace parmesan {
@@ -10,9 +11,7 @@ namespace parmesan {
 std::vector<std::array<int, 3>> triangle_neighbors(const Mesh& mesh) {
   const HalfEdges half_edges(mesh);
   std::vector<std::array<int, 3>> neighbors(mesh.triangles.size(), {-1, -1, -1});
-  const auto neighbor = [&](const HalfEdge& h) -> int& {
-    return neighbors[static_cast<std::size_t>(h.triangle())][static_cast<std::size_t>(h.side % 3)];
-  };
+  const auto neighbor = [&](const HalfEdge& h) -> int& { return neighbors[at(h.triangle())][at(h.side % 3)]; };
   const Ranges ranges(mesh.points.size());
   parallel_for(ranges.count(), [&](int range) {
     for (std::size_t v = ranges.first(range); v < ranges.last(range); ++v) {

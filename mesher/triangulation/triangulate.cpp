@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/index.h"
 #include "mesher/triangulation/carve.h"
 #include "mesher/triangulation/constraints.h"
 #include "mesher/triangulation/delaunay.h"
@@ -14,11 +15,11 @@ Triangulation triangulate(const Domain& domain) {
   PointTriangulation sites = delaunay(domain.points);
   std::vector<int> vertex_of(domain.points.size());
   std::iota(vertex_of.begin(), vertex_of.end(), 0);
-  for (const DuplicatePoint& d : sites.duplicates) vertex_of[static_cast<std::size_t>(d.point)] = d.first;
+  for (const DuplicatePoint& d : sites.duplicates) vertex_of[at(d.point)] = d.first;
   std::vector<Segment> segments = domain.segments;
   for (Segment& s : segments) {
-    s.a = vertex_of[static_cast<std::size_t>(s.a)];
-    s.b = vertex_of[static_cast<std::size_t>(s.b)];
+    s.a = vertex_of[at(s.a)];
+    s.b = vertex_of[at(s.b)];
   }
   insert_constraints(sites.triangulation, segments);
   carve(sites.triangulation, domain);

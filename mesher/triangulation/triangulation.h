@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesher/geometry/point.h"
+#include "mesher/index.h"
 #include "mesher/triangulation/quad_edge.h"
 
 namespace parmesan {
@@ -36,9 +37,9 @@ class Triangulation : public QuadEdge {
   void remove_isolated_vertex(VertexId v);
 
   /// Index of the domain segment that e is a part of, -1 for a free edge.
-  std::int32_t segment(EdgeId e) const { return segment_[static_cast<std::size_t>(undirected(e))]; }
+  std::int32_t segment(EdgeId e) const { return segment_[at(undirected(e))]; }
   bool is_constrained(EdgeId e) const { return segment(e) >= 0; }
-  void set_segment(EdgeId e, std::int32_t s) { segment_[static_cast<std::size_t>(undirected(e))] = s; }
+  void set_segment(EdgeId e, std::int32_t s) { segment_[at(undirected(e))] = s; }
 
   /// The third corner of the triangle left of e, and of that right of it.
   VertexId left_apex(EdgeId e) const { return dest(onext(e)); }

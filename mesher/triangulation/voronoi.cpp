@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesher/index.h"
 #include "mesher/triangulation/delaunay.h"
 
 namespace parmesan {
@@ -49,7 +50,7 @@ VoronoiDiagram voronoi_diagram(std::span<const Point> sites, double margin) {
     if (!dual.has_vertex(v)) continue;
     Polygon cell = rectangle;
     for_each_spoke(dual, v, [&](EdgeId e) { cell = cut(cell, dual.point(v), dual.point(dual.dest(e))); });
-    diagram.cells[static_cast<std::size_t>(v)] = std::move(cell);
+    diagram.cells[at(v)] = std::move(cell);
   }
   return diagram;
 }

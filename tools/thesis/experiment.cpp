@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mesher/index.h"
 #include "mesher/io/svg.h"
 
 #ifdef _OPENMP
@@ -102,7 +103,7 @@ std::vector<std::vector<double>> histogram(const std::vector<double>& values, do
   for (int i = 0; i < bins; ++i) rows.push_back({low + (i + 0.5) * width, 0.0});
   for (const double value : values) {
     const int bin = std::clamp(static_cast<int>((value - low) / width), 0, bins - 1);
-    rows[static_cast<std::size_t>(bin)][1] += 1.0 / static_cast<double>(values.size());
+    rows[at(bin)][1] += 1.0 / static_cast<double>(values.size());
   }
   return rows;
 }
@@ -111,9 +112,9 @@ std::vector<double> angles_of(const Mesh& mesh) {
   std::vector<double> angles;
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const Point& p = mesh.points[static_cast<std::size_t>(t[k])];
-      const Vector a = mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])] - p;
-      const Vector b = mesh.points[static_cast<std::size_t>(t[(k + 2) % 3])] - p;
+      const Point& p = mesh.points[at(t[k])];
+      const Vector a = mesh.points[at(t[(k + 1) % 3])] - p;
+      const Vector b = mesh.points[at(t[(k + 2) % 3])] - p;
       angles.push_back(std::atan2(cross(a, b), dot(a, b)) * 180.0 / std::numbers::pi);
     }
   }

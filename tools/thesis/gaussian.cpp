@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fem/quadrature.h"
+#include "mesher/index.h"
 
 namespace parmesan::thesis {
 namespace {
@@ -77,8 +78,7 @@ std::unique_ptr<MetricField> metric_for_l2(double factor) {
 double interpolation_error(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles)
-    sum += squared_error({mesh.points[static_cast<std::size_t>(t[0])], mesh.points[static_cast<std::size_t>(t[1])],
-                          mesh.points[static_cast<std::size_t>(t[2])]});
+    sum += squared_error({mesh.points[at(t[0])], mesh.points[at(t[1])], mesh.points[at(t[2])]});
   return std::sqrt(sum);
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <map>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 namespace {
 
@@ -31,8 +33,8 @@ std::vector<LabelledEdges> labelled_edges(const Mesh& mesh, const View& view) {
   std::map<int, PicturePath> paths;
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     PicturePath& path = paths[mesh.labels[i]];
-    path.move_to(view(mesh.points[static_cast<std::size_t>(mesh.edges[i][0])]));
-    path.line_to(view(mesh.points[static_cast<std::size_t>(mesh.edges[i][1])]));
+    path.move_to(view(mesh.points[at(mesh.edges[i][0])]));
+    path.line_to(view(mesh.points[at(mesh.edges[i][1])]));
   }
   std::vector<LabelledEdges> result;
   result.reserve(paths.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/io/picture/axes.h"
 #include "mesher/io/picture/colour_map.h"
 #include "mesher/io/picture/labelled_edges.h"
@@ -49,8 +50,8 @@ void draw_labels(Canvas& canvas, const Mesh& mesh, const PictureLayout& layout) 
 void draw_edges(Canvas& canvas, const Mesh& mesh, const View& view) {
   PicturePath path;
   for (const auto& [a, b] : mesh.edges) {
-    path.move_to(view(mesh.points[static_cast<std::size_t>(a)]));
-    path.line_to(view(mesh.points[static_cast<std::size_t>(b)]));
+    path.move_to(view(mesh.points[at(a)]));
+    path.line_to(view(mesh.points[at(b)]));
   }
   canvas.stroke(path, {"#0f172a", 1.3, 1.0, true});
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 namespace {
 
@@ -29,8 +31,8 @@ std::vector<Side> sides_with_exponents(const Mesh& mesh, const View& view) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    const auto at = [&mesh, &view](int vertex) { return view(mesh.points[static_cast<std::size_t>(vertex)]); };
-    const int exponent = altitude_exponent(at(a), at(b), at(c));
+    const auto corner = [&mesh, &view](int vertex) { return view(mesh.points[at(vertex)]); };
+    const int exponent = altitude_exponent(corner(a), corner(b), corner(c));
     for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
       sides.push_back({std::min(p, q), std::max(p, q), exponent});
     }
@@ -51,9 +53,9 @@ std::vector<SideClass> side_classes(const Mesh& mesh, const View& view) {
     classes.push_back({0.25 * std::exp2(0.25 * (exponent + 0.5)), {}});
   }
   for (const Side& side : sides_with_exponents(mesh, view)) {
-    PicturePath& path = classes[static_cast<std::size_t>(side.exponent - smallest)].path;
-    path.move_to(view(mesh.points[static_cast<std::size_t>(side.low)]));
-    path.line_to(view(mesh.points[static_cast<std::size_t>(side.high)]));
+    PicturePath& path = classes[at(side.exponent - smallest)].path;
+    path.move_to(view(mesh.points[at(side.low)]));
+    path.line_to(view(mesh.points[at(side.high)]));
   }
   std::erase_if(classes, [](const SideClass& c) { return c.path.empty(); });
   return classes;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 namespace {
@@ -58,10 +59,10 @@ void draw_slices(Polygon rest, std::vector<PicturePath>& bands) {
   const int first = std::clamp(static_cast<int>(lowest), 0, num_bands - 1);
   const int last = std::clamp(static_cast<int>(std::ceil(highest)) - 1, first, num_bands - 1);
   for (int band = first; band < last; ++band) {
-    draw(bands[static_cast<std::size_t>(band)], cut(rest, band + 1, -1.0));
+    draw(bands[at(band)], cut(rest, band + 1, -1.0));
     rest = cut(rest, band + 1, 1.0);
   }
-  draw(bands[static_cast<std::size_t>(last)], rest);
+  draw(bands[at(last)], rest);
 }
 
 }  // namespace
