@@ -208,7 +208,8 @@ class Loop {
     request.options = case_.metric;
     request.measure = options_.measure.value_or(error_measure(case_.targets));
     request.isotropic = options_.isotropic;
-    request.complexity = complexity_for_vertices(asked) * calibration();
+    const double wanted = complexity_for_vertices(asked) * calibration();
+    request.complexity = wanted;
     const SecondDerivatives derivatives = second_derivatives(case_, state_.last);
     const HessianMetric metric = next_metric_.make(case_, derivatives, request);
     seconds.recover += recover.seconds();
@@ -224,8 +225,8 @@ class Loop {
     compute_values(case_, next, &state_.last);
     if (interrupted()) return false;
     state_.unchanged = same_mesh(next.mesh, state_.last.mesh);
-    const bool is_coarser = metric.complexity < 0.8 * request.complexity;  // so far off only for size limits
-    const bool is_finer = metric.complexity > 1.25 * request.complexity;
+    const bool is_coarser = metric.complexity < 0.8 * wanted;  // so far off only for size limits
+    const bool is_finer = metric.complexity > 1.25 * wanted;
     state_.limits_bind = state_.asked == asked && (is_coarser || (is_finer && goal_.vertices));
     state_.asked = is_finer && !goal_.vertices ? static_cast<double>(next.mesh.num_vertices()) : asked;
     state_.last = std::move(next);

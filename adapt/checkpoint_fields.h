@@ -63,8 +63,8 @@ void fields(Archive& archive, SolutionBounds& b) {
 template <class Archive>
 void fields(Archive& archive, SolveReport& r) {
   archive(r.solver, r.unknowns, r.iterations, r.backward_error, r.peclet_min, r.peclet_max, r.capturing_steps,
-          r.capturing_change, r.correction_steps, r.correction_change, r.null_components, r.compatibility_mismatch,
-          r.minimum, r.maximum, r.bounds);
+          r.capturing_change, r.correction_steps, r.correction_change, r.correction_converges, r.null_components,
+          r.compatibility_mismatch, r.minimum, r.maximum, r.bounds);
 }
 
 template <class Archive>
@@ -85,7 +85,7 @@ void fields(Archive& archive, InterpolationLimit& l) {
 
 template <class Archive>
 void fields(Archive& archive, ErrorNorms& e) {
-  archive(e.l1, e.l2, e.linf, e.h1, e.num_nonfinite, e.l2_doubt);
+  archive(e.l1, e.l2, e.linf, e.h1, e.num_nonfinite, e.left_out, e.l2_doubt);
 }
 
 template <class Archive>

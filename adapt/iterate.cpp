@@ -125,14 +125,6 @@ void solve_goal(const Case& input, Iterate& iterate) {
 
 }  // namespace
 
-double area(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sum += 0.5 * doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
-  }
-  return sum;
-}
-
 std::optional<ExactFunction> known_function(const Case& input) {
   if (input.given) return function_of(input.given);
   if (!input.exact) return std::nullopt;

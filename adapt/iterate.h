@@ -34,9 +34,6 @@ struct Iterate {
   StageSeconds seconds;
 };
 
-/// Sum of the areas of the triangles. Units: L^2.
-double area(const Mesh& mesh);
-
 /// A uniform mesh of about this many vertices, without a discrete function.
 /// Errors: as generate. The size follows from the area, known from a coarse mesh made first.
 Iterate uniform_iterate(const Case& input, double vertices);

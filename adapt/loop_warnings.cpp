@@ -90,7 +90,8 @@ std::optional<std::string> of_nonfinite(const IterationRow& last) {
   const std::optional<ErrorNorms>& error = last.solution_error ? last.solution_error : last.interpolation_error;
   if (!error || error->num_nonfinite == 0) return std::nullopt;
   return "the exact function or its gradient is not finite at " + std::to_string(error->num_nonfinite) +
-         " quadrature points of the last mesh; the errors leave them out";
+         " quadrature points of the last mesh; the errors leave them out, " + short_number(100.0 * error->left_out, 3) +
+         " % of the area" + (is_measured(*error) ? "" : ": too much for a target to be met");
 }
 
 // Of an exact function whose square has no integral, as of 1 / x, or one that quadrature does not come to. Functions
@@ -109,8 +110,8 @@ std::optional<std::string> of_uncertain(const IterationRow& last) {
 // data they are 0.7 to 1 of it.
 std::optional<std::string> of_unresolved(const IterationRow& last) {
   constexpr double far_above = 1.5;
-  if (last.solution_error || !last.residual_h1 || *last.residual_h1 <= far_above * last.estimated_error->h1)
-    return std::nullopt;
+  const bool is_far_above = last.residual_h1 && *last.residual_h1 > far_above * last.estimated_error->h1;
+  if (last.solution_error || !is_far_above) return std::nullopt;
   return "the last mesh may not resolve the data: its residuals tell of an H1 error of " +
          short_number(*last.residual_h1, 3) + ", the recovered gradient of " +
          short_number(last.estimated_error->h1, 3);
@@ -128,7 +129,7 @@ std::optional<std::string> of_contradiction(const IterationRow& last) {
 
 // Of a correction that was asked for.
 std::optional<std::string> of_correction(const IterationRow& last) {
-  if (!last.solve_report || last.solve_report->correction_converges()) return std::nullopt;
+  if (!last.solve_report || last.solve_report->correction_converges) return std::nullopt;
   return "the values are Galerkin's: defect correction does not converge on the last mesh, its last step of " +
          std::to_string(last.solve_report->correction_steps) + " changed it by a factor of " +
          short_number(last.solve_report->correction_change, 2);

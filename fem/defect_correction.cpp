@@ -34,7 +34,8 @@ double relative_change(const Eigen::VectorXd& mass, const Eigen::VectorXd& step,
 CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double> values) {
   constexpr int max_steps = 12;
   constexpr double tolerance = 0.05;
-  constexpr std::size_t depth = 5;  // of the acceleration
+  constexpr double largest_change = 1.0 / 3.0;  // by the last step of a correction that is to be believed
+  constexpr std::size_t depth = 5;              // of the acceleration
   const Mesh& parts = discrete.parts.mesh();
   const Eigen::VectorXd& mass = discrete.system.mass;
   Anderson acceleration(mass, depth);
@@ -46,12 +47,15 @@ CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double
     std::optional<NodalCorrection> step = nodal_correction(discrete, result.values, recover_gradients(parts, u));
     ++result.steps;
     result.change = std::numeric_limits<double>::infinity();
+    result.converges = false;
     if (!step) break;
     const Eigen::VectorXd f = vector_of(step->values);
     result.residual = std::move(step->residual);
     result.change = relative_change(mass, f, vector_of(values), w + f);
     const double interpolation = error_of(discrete.mesh, step->surplus, step->values).interpolation_l2;
-    done = result.steps == max_steps || l2_norm(mass, f) <= tolerance * interpolation;
+    const bool is_small = l2_norm(mass, f) <= tolerance * interpolation;
+    result.converges = is_small || result.change <= largest_change;
+    done = result.steps == max_steps || is_small;
     if (done) {
       w += f;
     } else {

@@ -50,9 +50,9 @@ double largest_on_side(const LocalError& e, std::size_t corner) {
   const double from = e.corner[(corner + 1) % 3];
   const double to = e.corner[(corner + 2) % 3];
   const double s = e.quadratic.surplus[corner];
-  const double largest = std::max(std::abs(from), std::abs(to));
+  const double largest = larger(std::abs(from), std::abs(to));
   const double t = 0.5 + (to - from) / (8.0 * s);
-  if (!(t > 0.0 && t < 1.0)) return largest;
+  if (!(t > 0.0 && t < 1.0)) return std::isnan(s) ? s : largest;
   return std::max(largest, std::abs(from + t * (to - from) + 4.0 * s * t * (1.0 - t)));
 }
 
@@ -61,7 +61,7 @@ double largest_on_side(const LocalError& e, std::size_t corner) {
 ///     e = e_2 + 4 (d0 l0 + d1 l1 - b l0^2 - a l1^2 + (c - a - b) l0 l1),    (a, b, c) the surplus.
 double largest(const LocalError& e) {
   double result = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) result = std::max(result, largest_on_side(e, i));
+  for (std::size_t i = 0; i < 3; ++i) result = larger(result, largest_on_side(e, i));
   const auto [a, b, c] = e.quadratic.surplus;
   const double mixed = c - a - b;
   const double d0 = (e.corner[0] - e.corner[2]) / 4.0 + b;
@@ -85,8 +85,7 @@ EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std:
     squares += integral_of_square(element.area, error);
     squared_gradients += integral_of_squared_gradient(element, error);
     squares_without_nodal += integral_of_square(element.area, LocalError{.corner = {}, .quadratic = {surplus[t]}});
-    const double most = largest(error);
-    if (!(most <= result.linf)) result.linf = most;  // NaN stays
+    result.linf = larger(result.linf, largest(error));
   }
   result.l2 = std::sqrt(squares);
   result.h1 = std::sqrt(squared_gradients);

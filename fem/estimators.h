@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -15,6 +16,9 @@ struct EstimatedError {
   double linf = 0.0;
   double interpolation_l2 = std::numeric_limits<double>::quiet_NaN();  // l2 if the values at the vertices were exact
 };
+
+/// The larger of two; NaN where one is.
+inline double larger(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 
 /// L2 norm, H1 seminorm and maximum of the error that has this surplus, and these values at the vertices.
 EstimatedError error_of(const Mesh& mesh, std::span<const Surplus> surplus, std::span<const double> nodal);

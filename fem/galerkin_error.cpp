@@ -22,8 +22,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// Where plain steps grow, near a resonance, accelerated ones that converge tell the error.
 ErrorEstimate by_correction(DiscreteProblem& discrete, std::span<const double> values) {
   CorrectedValues corrected = correct_defect(discrete, values);
-  if (!(corrected.change <= largest_change_trusted))
-    return {{.l2 = unknown, .h1 = unknown, .linf = unknown}, std::nullopt};
+  if (!corrected.converges) return {{.l2 = unknown, .h1 = unknown, .linf = unknown}, std::nullopt};
   const Mesh& parts = discrete.parts.mesh();
   const std::vector<double> u = discrete.parts.spread(corrected.values);
   ErrorField field{.nodal = std::move(corrected.values), .surplus = {}, .residual = std::move(corrected.residual)};
@@ -69,8 +68,8 @@ ErrorEstimate estimate_error(DiscreteProblem& discrete, std::span<const double> 
     }
     const bool done = step + 1 >= least_steps && !(estimate.l2 > settled * result.l2);
     result.interpolation_l2 = estimate.interpolation_l2;
-    if (!(estimate.l2 <= result.l2)) result.l2 = estimate.l2;  // NaN stays
-    if (!(estimate.linf <= result.linf)) result.linf = estimate.linf;
+    result.l2 = larger(result.l2, estimate.l2);
+    result.linf = larger(result.linf, estimate.linf);
     result.h1 = std::max(result.h1, std::hypot(estimate.h1, by_arcs));
     if (done) break;
   }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fem/assembly.h"
-#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -75,9 +74,9 @@ class Gmres {
       const double rest = next.norm();
       triangle(k + 1, k) = rest;
       for (Eigen::Index i = 0; i < k; ++i) {
-        triangle.col(k).applyOnTheLeft(i, i + 1, rotations[at(i)].adjoint());
+        triangle.col(k).applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
       }
-      Eigen::JacobiRotation<double>& rotation = rotations[at(k)];
+      Eigen::JacobiRotation<double>& rotation = rotations[static_cast<std::size_t>(k)];
       rotation.makeGivens(triangle(k, k), triangle(k + 1, k));
       triangle.col(k).applyOnTheLeft(k, k + 1, rotation.adjoint());
       rhs.applyOnTheLeft(k, k + 1, rotation.adjoint());

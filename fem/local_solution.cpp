@@ -51,10 +51,9 @@ Problem with_sources_of_patch(const Mesh& mesh, const RefinedPatch& patch, Probl
 }  // namespace
 
 LocalSolution::LocalSolution(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) : mesh_(mesh) {
-  patch_ = refined_patch(mesh, sides, singular_vertices(mesh, problem, sides));
-  if (patch_.triangles.empty()) return;
   try {
-    prepare(with_sources_of_patch(mesh, patch_, problem));
+    patch_ = refined_patch(mesh, sides, singular_vertices(mesh, problem, sides));
+    if (!patch_.triangles.empty()) prepare(with_sources_of_patch(mesh, patch_, problem));
   } catch (const InputError&) {  // of data at points that the solution did not look at, which stands all the same
     equations_.reset();
   } catch (const SolveError&) {

@@ -30,6 +30,7 @@ struct Integrals {
   double h1 = 0.0;
   double largest = 0.0;
   long nonfinite = 0;
+  double left_out = 0.0;  // the area they stand for
   double l2_doubt = 0.0;  // by how much rules disagree on l2 where it is not confirmed
   double h1_doubt = 0.0;
 
@@ -39,6 +40,7 @@ struct Integrals {
     h1 += other.h1;
     largest = std::max(largest, other.largest);
     nonfinite += other.nonfinite;
+    left_out += other.left_out;
     l2_doubt += other.l2_doubt;
     h1_doubt += other.h1_doubt;
   }
@@ -69,6 +71,7 @@ class ElementError {
       const double squared = squared_norm(d);
       if (!std::isfinite(e) || !std::isfinite(squared)) {
         ++sum.nonfinite;
+        sum.left_out += area * weight;
         continue;
       }
       sum.l1 += area * weight * std::abs(e);
@@ -237,12 +240,18 @@ ErrorNorms error_norms(const Mesh& mesh, std::span<const double> values, const E
   const MeshError error(mesh, values, exact);
   const CheckedQuadrature quadrature(error.mean(), mesh.num_triangles() > skip_degree10_above);
   const Integrals sum = error.integrate(quadrature);
-  const double h1 = exact.gradient ? std::sqrt(sum.h1) : std::numeric_limits<double>::quiet_NaN();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double left_out = sum.left_out / area(mesh);
+  if (left_out > 1.0 - 1e-12)
+    return {
+        .l1 = unknown, .l2 = unknown, .linf = unknown, .h1 = unknown, .num_nonfinite = sum.nonfinite, .left_out = 1.0};
+  const double h1 = exact.gradient ? std::sqrt(sum.h1) : unknown;
   return {.l1 = sum.l1,
           .l2 = std::sqrt(sum.l2),
           .linf = sum.largest,
           .h1 = h1,
           .num_nonfinite = sum.nonfinite,
+          .left_out = left_out,
           .l2_doubt = sum.l2_doubt > 0.0 ? sum.l2_doubt / sum.l2 : 0.0};
 }
 

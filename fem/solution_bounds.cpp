@@ -62,7 +62,7 @@ void add_triangles(const Mesh& mesh, const Problem& problem, Bounds& bounds) {
     const int region = mesh.regions[at(t)];
     for (const auto& [lambda, weight] : degree4_rule()) {
       const Point x = element.at(lambda);
-      bounds.add_inflow(source_at(problem, x, region));
+      if (problem.source) bounds.add_inflow(problem.source(x, region));  // may be infinite, of divergence form
       bounds.add_reaction(reaction_at(problem, x, region));
     }
   }

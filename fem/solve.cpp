@@ -88,7 +88,8 @@ void correct(DiscreteProblem& discrete, Solution& solution) {
   CorrectedValues corrected = correct_defect(discrete, solution.values);
   solution.report.correction_steps = corrected.steps;
   solution.report.correction_change = corrected.change;
-  if (!solution.report.correction_converges()) return;
+  solution.report.correction_converges = corrected.converges;
+  if (!corrected.converges) return;
   keep_within(bounds_of(discrete), corrected.values);
   const Eigen::VectorXd added = vector_of(corrected.values) - vector_of(solution.values);
   solution.correction_l2 = std::sqrt(discrete.system.mass.dot(added.cwiseAbs2()));

@@ -22,11 +22,12 @@ struct SolveReport {
   double backward_error = 0.0;  // ||b - Ax|| / (||A|| ||x|| + ||b||)
   double peclet_min = 0.0;      // mesh Peclet number |b| h_b / (2 K_b) in the direction of b
   double peclet_max = 0.0;
-  int capturing_steps = 0;         // solves that discontinuity capturing took beyond the first
-  double capturing_change = 0.0;   // of the last one: largest change of a nodal value over the range of the solution
-  int correction_steps = 0;        // of defect correction
-  double correction_change = 0.0;  // by the last one, over the whole correction, in L2
-  int null_components = 0;         // parts of the mesh where the mean value was fixed to zero
+  int capturing_steps = 0;           // solves that discontinuity capturing took beyond the first
+  double capturing_change = 0.0;     // of the last one: largest change of a nodal value over the range of the solution
+  int correction_steps = 0;          // of defect correction
+  double correction_change = 0.0;    // by the last one, over the whole correction, in L2
+  bool correction_converges = true;  // else the values are Galerkin's
+  int null_components = 0;           // parts of the mesh where the mean value was fixed to zero
   double compatibility_mismatch = 0.0;  // largest relative imbalance of the data there
   double minimum = 0.0;                 // of the nodal values
   double maximum = 0.0;
@@ -34,9 +35,6 @@ struct SolveReport {
 
   /// Whether the steps of discontinuity capturing came to an end.
   bool capturing_converges() const { return capturing_change < capturing_tolerance; }
-
-  /// Whether the steps of defect correction converge; else the values are Galerkin's.
-  bool correction_converges() const { return correction_change <= largest_change_trusted; }
 
   /// By how much the nodal values exceed the bounds; 0 without bounds.
   double overshoot() const { return bounds.upper && maximum > *bounds.upper ? maximum - *bounds.upper : 0.0; }

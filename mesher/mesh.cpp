@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "mesher/index.h"
+
 namespace parmesan {
 
 std::vector<int> ascending(std::vector<int> numbers) {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   return numbers;
+}
+
+double area(const Mesh& mesh) {
+  double doubled = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    doubled += doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
+  return 0.5 * doubled;
 }
 
 std::vector<int> ends_of_edges(const Mesh& mesh) {

@@ -49,6 +49,9 @@ struct Mesh {
   int num_edges() const { return static_cast<int>(edges.size()); }
 };
 
+/// Sum of the areas of the triangles. Units: L^2.
+double area(const Mesh& mesh);
+
 /// The vertices that edges end at, ascending.
 std::vector<int> ends_of_edges(const Mesh& mesh);
 

@@ -138,6 +138,26 @@ TEST_CASE("a warning says where an exact function is not finite", "[adapt][loop]
   CHECK(run.summary.warnings.back().find("is not finite at") != std::string::npos);
 }
 
+TEST_CASE("an exact function that is finite nowhere meets no target", "[adapt][loop]") {
+  const Case input = parse_case(R"case({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+      "problem": {"exact": "sqrt(x - 2)", "source": 1, "boundary": {"*": {"dirichlet": 0}}},
+      "targets": {"l2_error": 1e-3, "max_iterations": 2}})case",
+                                "test.json");
+  const Summary summary = adapt(input, {}).summary;
+  CHECK(summary.stop_reason == StopReason::MaxIterations);
+  CHECK_FALSE(summary.targets_met);
+  CHECK(std::ranges::any_of(summary.warnings, [](const std::string& w) {
+    return w.ends_with("100 % of the area: too much for a target to be met");
+  }));
+}
+
+TEST_CASE("a mesh that was made again for the budget of vertices is not said to be forbidden", "[adapt][loop]") {
+  const Case input = parse_case(R"({"geometry": {"rectangle": {"min": [0, 0], "max": [10, 1]}},
+      "problem": {"interpolate": "sin(x)*y^2"}, "targets": {"vertices": 100, "max_vertices": 103}})",
+                                "test.json");
+  CHECK(adapt(input, {}).summary.stop_reason != StopReason::Stagnated);
+}
+
 TEST_CASE("size limits that forbid the target end the loop as stagnated", "[adapt][loop]") {
   Case input = interpolation_case("sin(6*x)*y^2", R"({"l2_error": 1e-6, "max_vertices": 100000})");
   input.metric.h_min = 0.05;
@@ -223,6 +243,7 @@ TEST_CASE("a mesh without a free vertex meets no target, and tells of no error",
   CHECK(std::isnan(blind.iterations.back().estimated_error->l2));
   CHECK(
       std::ranges::any_of(blind.warnings, [](const std::string& w) { return w.starts_with("no vertex of the last"); }));
+  for (const std::string& warning : blind.warnings) CHECK_THAT(warning, !Catch::Contains("nan"));
 }
 
 TEST_CASE("data of another solution than the exact one are warned of", "[adapt][loop][slow]") {

@@ -68,6 +68,14 @@ TEST_CASE("the largest error of a quadratic's interpolant is what dense samples 
         Approx(largest_difference(mesh, values, q)).epsilon(1e-3).margin(1e-12));
 }
 
+TEST_CASE("an error that is not known on one triangle is not known", "[fem][estimate]") {
+  const Mesh mesh = random_square(4, 0.24, 3);
+  std::vector<Surplus> surplus(mesh.triangles.size(), Surplus{0.1, 0.2, 0.3});
+  surplus[5][1] = std::numeric_limits<double>::quiet_NaN();
+  const EstimatedError error = error_of(mesh, surplus, std::vector<double>(mesh.points.size(), 0.0));
+  for (const double norm : {error.l2, error.h1, error.linf}) CHECK(std::isnan(norm));
+}
+
 TEST_CASE("the error with a surplus and values at the vertices is that of a P1 function", "[fem][estimate]") {
   const Mesh mesh = random_square(4, 0.24, 8);
   std::mt19937 random(3);

@@ -214,6 +214,22 @@ TEST_CASE("data that are not finite between the points that were looked at leave
   CHECK(estimate_error(discrete, solve(discrete).values).norms.l2 > 0.0);
 }
 
+TEST_CASE("data that are not finite where another side gives the value leave the solution alone",
+          "[fem][singular][errors]") {
+  Problem problem = unit_poisson();
+  problem.source = [](const Point& p, int) { return p.y - 0.4; };  // of both signs: there are no bounds to look for
+  problem.boundary[Bottom] = dirichlet(constant(0.0));
+  problem.boundary[kLeftHalf] =
+      dirichlet([](const Point& p, const Vector&, int) { return p.x < 0.0 ? 1.0 : std::nan(""); });
+  Mesh mesh = half_plane_mesh(8);
+  std::ranges::reverse(mesh.edges);  // so that the right half comes first
+  std::ranges::reverse(mesh.labels);
+  DiscreteProblem discrete(mesh, problem);
+  const Solution solution = solve(discrete);
+  CHECK(discrete.local_solution().empty());
+  CHECK(estimate_error(discrete, solution).norms.l2 > 0.0);
+}
+
 TEST_CASE("a patch where only the mean of the solution is known", "[fem][singular][nullspace]") {
   const ExactFunction exact = singular(2.0 / 3.0);
   Problem problem = l_shape_problem();

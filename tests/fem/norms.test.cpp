@@ -142,6 +142,16 @@ TEST_CASE("points where the exact function is not finite are counted and left ou
   const ErrorNorms norms = error_norms(mesh, std::vector<double>(mesh.points.size(), 0.0), gap);
   CHECK(norms.num_nonfinite > 0);
   CHECK(norms.l1 == Approx(0.5).epsilon(1e-9));
+  CHECK(norms.left_out == Approx(0.5).epsilon(1e-9));
+  CHECK_FALSE(is_measured(norms));
+}
+
+TEST_CASE("where the exact function is finite nowhere the norms are not known", "[fem][norms]") {
+  const Mesh mesh = rectangle_mesh(4, 4);
+  const ExactFunction nowhere{[](const Point& p) { return std::sqrt(p.x - 2.0); }, {}};
+  const ErrorNorms norms = error_norms(mesh, std::vector<double>(mesh.points.size(), 0.0), nowhere);
+  for (const double norm : {norms.l1, norms.l2, norms.linf, norms.h1}) CHECK(std::isnan(norm));
+  CHECK(norms.left_out == 1.0);
 }
 
 TEST_CASE("without a gradient the H1 norm is NaN, the others are not", "[fem][norms]") {

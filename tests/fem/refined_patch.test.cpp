@@ -18,12 +18,6 @@ RefinedPatch patch_of(const Mesh& mesh) {
   return refined_patch(mesh, sides, singular_vertices(mesh, unit_poisson(), sides));
 }
 
-double area(const Mesh& mesh) {
-  double sum = 0.0;
-  for (int t = 0; t < mesh.num_triangles(); ++t) sum += p1_element(mesh, t).area;
-  return sum;
-}
-
 double length_of_edges(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& [a, b] : mesh.edges) sum += norm(mesh.points[at(b)] - mesh.points[at(a)]);

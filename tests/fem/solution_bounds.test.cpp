@@ -73,6 +73,17 @@ TEST_CASE("the signs of source, flux and reaction decide which bound holds", "[f
   }
 }
 
+TEST_CASE("a source that is infinite somewhere bounds from one side, and one that is no number from none",
+          "[fem][bounds]") {
+  Problem problem = between();
+  problem.source = [](const Point& p, int) { return p.x < 0.5 ? HUGE_VAL : 1.0; };
+  CHECK(bounds_of(problem).lower == -1.0);
+  CHECK_FALSE(bounds_of(problem).upper);
+  problem.source = [](const Point&, int) { return std::nan(""); };
+  CHECK_FALSE(bounds_of(problem).lower);
+  CHECK_FALSE(bounds_of(problem).upper);
+}
+
 TEST_CASE("where no data hold the solution it has no bounds", "[fem][bounds]") {
   Problem problem = between();
   set_all(problem, neumann({}));
