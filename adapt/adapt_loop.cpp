@@ -135,11 +135,21 @@ class Loop {
     return !interrupted() && !(case_.targets.max_seconds && lap_.seconds() >= *case_.targets.max_seconds);
   }
 
+  // Norms of a part of the domain say nothing of a target.
+  void require_measured(const IterationRow& row) const {
+    constexpr double negligible = 0.01;
+    const double left_out = targeted_error(case_, row).left_out;
+    if (!declares_norm_target(case_.targets) || left_out <= negligible) return;
+    throw ProblemError("/targets: errors cannot be measured, for \"" + case_.exact->text() + "\" is not finite on " +
+                       short_number(100.0 * left_out, 3) + " % of the domain");
+  }
+
   // Measures the last iterate and reports it.
   void add_row() {
     Iterate& last = state_.last;
     std::vector<IterationRow>& rows = state_.summary.iterations;
     rows.push_back(measure(case_, last, static_cast<int>(rows.size()), state_.limit));
+    require_measured(rows.back());
     for (std::string& warning : last.report.warnings) warn_once(std::move(warning));
     last.report.warnings.clear();
     const double excess = excess_of(case_, rows.back());

@@ -91,7 +91,7 @@ std::optional<std::string> of_nonfinite(const IterationRow& last) {
   if (!error || error->num_nonfinite == 0) return std::nullopt;
   return "the exact function or its gradient is not finite at " + std::to_string(error->num_nonfinite) +
          " quadrature points of the last mesh; the errors leave them out, " + short_number(100.0 * error->left_out, 3) +
-         " % of the area" + (is_measured(*error) ? "" : ": too much for a target to be met");
+         " % of the area";
 }
 
 // Of an exact function whose square has no integral, as of 1 / x, or one that quadrature does not come to. Functions

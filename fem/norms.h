@@ -25,9 +25,6 @@ struct ErrorNorms {
   double l2_doubt = 0.0;   // share of the square of l2 that quadrature rules do not agree on
 };
 
-/// Whether the norms are of the whole mesh, but for a hundredth of its area at most.
-inline bool is_measured(const ErrorNorms& error) { return error.left_out <= 0.01; }
-
 /// Nodal values of the P1 interpolant.
 std::vector<double> interpolate(const Mesh& mesh, const std::function<double(const Point&)>& f);
 
