@@ -61,6 +61,7 @@ void add(Operands& operands, const Domain& domain) {
   ++operands.count;
 }
 
+/// Those merged away become equal to those that stay, so that merge_points takes them out.
 void merge_near_points(Domain& domain, double tolerance) {
   KeptPoints kept(domain.points, tolerance);
   std::vector<int> merged;
@@ -68,6 +69,7 @@ void merge_near_points(Domain& domain, double tolerance) {
   for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) merged.push_back(kept.find_or_keep(v));
   for (Segment& s : domain.segments) s = piece_of(s, merged[at(s.a)], merged[at(s.b)]);
   for (int& v : domain.required_points) v = merged[at(v)];
+  for (std::size_t v = 0; v < merged.size(); ++v) domain.points[v] = domain.points[at(merged[v])];
 }
 
 /// Splits straight segments at points that all but lie on them. True if there was any.

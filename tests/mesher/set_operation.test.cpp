@@ -270,6 +270,24 @@ TEST_CASE("Shapes with a common side have a union without seam", "[mesher][sets]
       CHECK(area(any) == Approx(1.35).epsilon(1e-14));
     }
   }
+  SECTION("whose corners are rounded apart") {
+    for (int i = 0; i < 50; ++i) {
+      const Vector u{std::cos(0.13 * i), std::sin(0.13 * i)};
+      const Vector v{-u.y, u.x};
+      const Point o{0.3, 0.7};
+      const double x = 0.3;
+      const auto turned = [&](double x0, double x1, double y1, int label) {
+        return polygon({o + x0 * u, o + x1 * u, o + x1 * u + y1 * v, o + x0 * u + y1 * v}, label);
+      };
+      const Domain any = of_two(SetOperation::Union, turned(0.0, x, 1.0, 1), turned(0.1 * 3.0, 1.0, 1.0, 2));
+      const Domain step = of_two(SetOperation::Union, turned(0.0, x, 1.0, 1), turned(0.1 * 3.0, 1.0, 0.8, 2));
+      INFO("angle " << 0.13 * i);
+      CHECK(any.segments.size() == 6);
+      CHECK(any.points.size() == 6);
+      CHECK(step.segments.size() == 7);
+      CHECK(step.points.size() == 7);
+    }
+  }
   SECTION("the cells of a grid; those of a chess board touch in points only") {
     std::vector<Domain> cells;
     std::vector<Domain> white;
