@@ -117,7 +117,11 @@ Segment Arrangement::labelled(int segment, int source) const {
   const Segment& whole = operands_.all.segments[at(source)];
   piece.label = whole.label;
   piece.label_right = whole.label_right;
-  piece.required = whole.required;
+  const std::vector<int> all = sources(segment);
+  piece.required = std::any_of(all.begin(), all.end(), [&](int other) {
+    return operands_.is_border[at(other)] == operands_.is_border[at(source)] &&
+           operands_.all.segments[at(other)].required;
+  });
   const auto direction = [](const std::vector<Point>& points, const Segment& s) {
     return points[at(s.b)] - points[at(s.a)];
   };

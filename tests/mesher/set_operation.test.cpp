@@ -414,6 +414,30 @@ TEST_CASE("What is inside of shapes stays where the result has it", "[mesher][se
   CHECK(of_two(SetOperation::Intersection, a, box(2, -1, 5, 5, 2)).regions.empty());
 }
 
+TEST_CASE("A side is required where any of those that run along it is", "[mesher][sets]") {
+  Domain a = box(0, 0, 2, 1, 1);
+  Domain b = box(0, 0, 2, 2, 2);
+  const bool is_first = GENERATE(true, false);
+  (is_first ? a : b).segments[0].required = true;  // the bottom
+  for (const SetOperation operation : {SetOperation::Union, SetOperation::Intersection}) {
+    for (const Segment& s : of_two(operation, a, b).segments) {
+      CAPTURE(is_first, s.a, s.b);
+      const bool is_bottom = s.a + s.b == 1;
+      CHECK(s.required == is_bottom);
+    }
+  }
+  SECTION("but for the seams of a union, where a segment inside stays") {
+    Domain lower = box(0, 0, 1, 1, 1);
+    lower.segments[2].required = true;  // the top, inside of the other
+    Domain whole = box(0, 0, 1, 2, 2);
+    whole.points.insert(whole.points.end(), {{0, 1}, {1, 1}});
+    whole.segments.push_back({4, 5, 7});
+    const Domain any = of_two(SetOperation::Union, lower, whole);
+    CHECK(labels(any).count(7) == 1);
+    for (const Segment& s : any.segments) CHECK_FALSE(s.required);
+  }
+}
+
 TEST_CASE("Operands must be valid, and may be empty", "[mesher][sets][errors]") {
   const Domain bow = polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}}, 1);
   CHECK_THROWS_AS(of_two(SetOperation::Union, bow, box(0, 0, 1, 1, 2)), GeometryError);
