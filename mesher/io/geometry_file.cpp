@@ -6,6 +6,7 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/domain_of_mesh.h"
+#include "mesher/index.h"
 #include "mesher/io/airfoil_file.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/io/text.h"
@@ -22,6 +23,8 @@ Domain domain_of_edges(Mesh mesh) {
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     domain.segments.push_back({mesh.edges[i][0], mesh.edges[i][1], mesh.labels[i]});
   }
+  for (const int e : mesh.required.edges) domain.segments[at(e)].required = true;
+  domain.required_points = std::move(mesh.required.vertices);
   domain.points = std::move(mesh.points);
   domain.label_names = std::move(mesh.label_names);
   return domain;

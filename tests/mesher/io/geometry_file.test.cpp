@@ -31,6 +31,18 @@ TEST_CASE("A .mesh without triangles is a geometry by the even-odd rule", "[mesh
   CHECK(domain.segments[2].label == 3);
 }
 
+TEST_CASE("What edges without triangles require stays required", "[mesher][io][required]") {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("d.mesh",
+                                        "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0 0\n1 0 0\n0 1 0\n"
+                                        "Edges\n3\n1 2 1\n2 3 2\n3 1 3\nRequiredEdges\n1\n2\n"
+                                        "RequiredVertices\n1\n3\nEnd\n");
+  const Domain domain = read_geometry(path);
+  CHECK(domain.required_points == std::vector<int>{2});
+  REQUIRE(domain.segments.size() == 3);
+  for (const parmesan::Segment& s : domain.segments) CHECK(s.required == (s.label == 2));
+}
+
 TEST_CASE("A .mesh with triangles is the geometry of its boundary", "[mesher][io]") {
   const TemporaryFolder folder;
   parmesan::Mesh mesh = parmesan::support::sample_mesh(3);
