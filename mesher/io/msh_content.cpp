@@ -1,11 +1,13 @@
 #include "mesher/io/msh_content.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <iterator>
 #include <numeric>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "mesher/errors.h"
 #include "mesher/index.h"
@@ -37,14 +39,23 @@ void sort_by_tag(MshElements<N>& elements) {
 }
 
 /// Format 2 gives elements of several groups several times; the first one stays.
-void drop_repeated_lines(MshElements<2>& lines) {
-  std::set<std::array<int, 2>> seen;
-  std::vector<int> kept;
-  for (std::size_t i = 0; i < lines.nodes.size(); ++i) {
-    const auto& [a, b] = lines.nodes[i];
-    if (seen.insert({std::min(a, b), std::max(a, b)}).second) kept.push_back(static_cast<int>(i));
+template <std::size_t N>
+void drop_repeated(MshElements<N>& elements) {
+  std::vector<std::pair<std::array<int, N>, int>> order;  // their nodes, ascending, and their places
+  order.reserve(elements.nodes.size());
+  for (std::array<int, N> nodes : elements.nodes) {
+    std::sort(nodes.begin(), nodes.end());
+    order.emplace_back(nodes, static_cast<int>(order.size()));
   }
-  if (kept.size() < lines.nodes.size()) lines = selected(lines, kept);
+  std::sort(order.begin(), order.end());
+  const auto are_equal = [](const auto& one, const auto& other) { return one.first == other.first; };
+  order.erase(std::unique(order.begin(), order.end(), are_equal), order.end());
+  if (order.size() == elements.nodes.size()) return;
+  std::vector<int> kept;
+  kept.reserve(order.size());
+  for (const auto& [nodes, place] : order) kept.push_back(place);
+  std::sort(kept.begin(), kept.end());
+  elements = selected(elements, kept);
 }
 
 /// The number that stands for a group of this name, when it is one that Gmsh's numbers cannot be.
@@ -195,7 +206,8 @@ std::vector<int> marked(const std::vector<MshField>& marks, const std::vector<st
 MeshData mesh_data_of(MshContent content) {
   sort_by_tag(content.lines);
   sort_by_tag(content.triangles);
-  drop_repeated_lines(content.lines);
+  drop_repeated(content.lines);
+  drop_repeated(content.triangles);
   MeshData data;
   Mesh& mesh = data.mesh;
   mesh.labels = labels_of(content.lines.groups, 1, content, mesh.label_names);

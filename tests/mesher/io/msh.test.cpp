@@ -116,10 +116,11 @@ TEST_CASE("Format 2 is read, elements in two groups once", "[mesher][io][msh]") 
   const std::string text =
       format_2 + names +
       "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
-      "$Elements\n5\n1 15 2 0 1 1\n2 1 2 7 3 1 2\n3 1 3 8 3 0 2 1\n4 2 2 9 4 1 2 3\n5 2 2 9 4 1 3 4\n"
+      "$Elements\n6\n1 15 2 0 1 1\n2 1 2 7 3 1 2\n3 1 3 8 3 0 2 1\n4 2 2 9 4 1 2 3\n5 2 2 9 4 1 3 4\n6 2 2 5 4 2 3 1\n"
       "$EndElements\n$ElementData\n1\n\"q\"\n0\n3\n0\n1\n3\n2 5\n5 0.5\n4 0.25\n$EndElementData\n";
   const MeshData data = parse_msh_text(text);
   CHECK(data.mesh.triangles == std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(data.mesh.regions == std::vector<int>{9, 9});
   CHECK(data.mesh.labels == std::vector<int>{7, 0, 0, 0});
   REQUIRE(data.fields.cells.size() == 1);
   CHECK(data.fields.cells[0].values == std::vector<double>{0.25, 0.5});
