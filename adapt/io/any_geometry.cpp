@@ -43,8 +43,8 @@ GeometryInput read_geometry_input(const std::string& path, Crossings crossings) 
   Mesh mesh = read_mesh_file(path);
   if (mesh.triangles.empty()) return {geometry_of(std::move(mesh)), std::nullopt};
   refuse_clockwise_triangles(mesh);
-  Domain domain = domain_of(mesh);
   cover_boundary(mesh);
+  Domain domain = domain_of(mesh);
   return {std::move(domain), std::move(mesh)};
 }
 

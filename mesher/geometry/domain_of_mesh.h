@@ -11,7 +11,8 @@ namespace parmesan {
 /// largest coordinate, since vertices on a slanted segment are rounded. Borders between regions
 /// that have no labelled edge become segments of label 0, boundary edges at one place cracks.
 ///
-/// Indices must be in range. Errors: GeometryError for triangles that overlap (see sides_of).
+/// Indices must be in range, boundary edges have the domain to their left, and cracks edges on both sides (see
+/// cover_boundary). Errors: GeometryError for triangles that overlap (see sides_of).
 /// Cost: O(n log n) expected.
 Domain domain_of(const Mesh& mesh);
 

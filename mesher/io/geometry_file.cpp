@@ -8,6 +8,7 @@
 #include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/index.h"
 #include "mesher/io/airfoil_file.h"
+#include "mesher/io/boundary_edges.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/io/text.h"
 #include "mesher/io/triangle_files.h"
@@ -53,6 +54,10 @@ Domain read_geometry(const std::string& path) {
   return geometry_of(read_mesh_file(path));
 }
 
-Domain geometry_of(Mesh mesh) { return mesh.triangles.empty() ? domain_of_edges(std::move(mesh)) : domain_of(mesh); }
+Domain geometry_of(Mesh mesh) {
+  if (mesh.triangles.empty()) return domain_of_edges(std::move(mesh));
+  cover_boundary(mesh);
+  return domain_of(mesh);
+}
 
 }  // namespace parmesan

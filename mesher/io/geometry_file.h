@@ -22,7 +22,8 @@ bool is_domain_file_name(const std::string& path);
 /// number is not finite or refers to nothing.
 Domain read_geometry(const std::string& path);
 
-/// The segments of a mesh without triangles, by the even-odd rule, or the domain of one with triangles (see domain_of).
+/// The segments of a mesh without triangles, by the even-odd rule, or the domain of one with triangles (see domain_of),
+/// whose boundary edges may be missing or have any direction. Errors: as cover_boundary.
 Domain geometry_of(Mesh mesh);
 
 }  // namespace parmesan
