@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "mesher/errors.h"
+#include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/text.h"
@@ -99,6 +100,7 @@ void check_without_cracks(const std::string& path, const Domain& domain) {
 }
 
 void write_poly(const std::string& path, const Domain& domain) {
+  if (has_curves(domain)) throw FileError(path, 0, "a .poly file cannot express curves, only straight segments");
   if (domain.inside == Inside::EvenOdd) {
     throw FileError(path, 0, "a .poly file cannot express a domain by the even-odd rule: it needs seeds of holes");
   }

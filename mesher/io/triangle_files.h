@@ -23,7 +23,7 @@ Domain parse_poly(std::string_view text, const std::string& name);
 /// Throws FileError for a domain with cracks, which .poly cannot express.
 void check_without_cracks(const std::string& path, const Domain& domain);
 
-/// Errors: FileError, also for a domain by the even-odd rule, which .poly cannot express, or with cracks.
+/// Errors: FileError, also for what .poly cannot express: a domain by the even-odd rule, curves, cracks.
 void write_poly(const std::string& path, const Domain& domain);
 
 /// Reads PATH.node, PATH.ele and, where there is one, PATH.edge, for a path with any suffix.

@@ -80,6 +80,36 @@ TEST_CASE("A geometry becomes a mesh without new vertices, and a .poly file", "[
   CHECK_THAT(content_of(folder / "ring.poly"), Catch::Contains("\n1\n1 1."));  // one hole, its seed inside
 }
 
+TEST_CASE("Curves become chords on their way to a .poly", "[system][convert]") {
+  const TemporaryFolder folder;
+  const auto [name, geometry] = GENERATE(table<std::string, std::string>(
+      {{"disc", R"({"disc": {"center": [0, 0], "radius": 1}})"},
+       {"plate", R"({"rectangle": {"min": [-2, -2], "max": [2, 2]},
+                     "holes": [{"disc": {"center": [0, 0], "radius": 1}}]})"},
+       {"quarter",
+        R"({"curves": [{"line": [[0, 0], [1, 0]]}, {"arc": {"center": [0, 0], "radius": 1, "from": 0, "to": 90}},
+                                  {"line": [[0, 1], [0, 0]]}]})"}}));
+  CAPTURE(name);
+  folder.write("g.json", R"({"geometry": )" + geometry + "}");
+  convert({folder / "g.json", folder / "direct.mesh"});
+  convert({folder / "g.json", folder / "g.poly"});
+  convert({folder / "g.poly", folder / "again.mesh"});
+  const nlohmann::json direct = quality_of(folder / "direct.mesh");
+  CHECK(direct.at("vertices") > 4);
+  for (const char* count : {"vertices", "triangles", "boundary_edges"})
+    CHECK(quality_of(folder / "again.mesh").at(count) == direct.at(count));
+}
+
+TEST_CASE("A point that no segment ends at stays on the way to a .poly", "[system][convert]") {
+  const TemporaryFolder folder;
+  folder.write("g.mesh",
+               "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0\n1 0 0\n0 1 0\n0.2 0.3 0\n"
+               "Edges 3\n1 2 1\n2 3 2\n3 1 3\nEnd\n");
+  convert({folder / "g.mesh", folder / "g.poly"});
+  convert({folder / "g.poly", folder / "m.msh"});
+  CHECK(quality_of(folder / "m.msh").at("vertices") == 4);
+}
+
 TEST_CASE("A mesh is written to every format that there is", "[system][convert]") {
   const TemporaryFolder folder;
   folder.write("a.mesh", square_mesh);

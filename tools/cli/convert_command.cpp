@@ -7,6 +7,8 @@
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
 #include "mesher/geometry/domain_of_mesh.h"
+#include "mesher/geometry/isolated_points.h"
+#include "mesher/geometry/segment_path.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/io/medit_fields.h"
 #include "mesher/io/output_file.h"
@@ -41,9 +43,11 @@ Mesh triangulated(const Domain& domain) {
   return std::move(result.mesh);
 }
 
-/// Of a domain by the even-odd rule that of its triangulation, which has seeds in its holes.
-Domain with_hole_seeds(Domain domain) {
-  return domain.inside == Inside::EvenOdd ? domain_of(triangulated(domain)) : std::move(domain);
+/// Of a domain by the even-odd rule or with curves that of its triangulation, which has seeds in its holes and chords.
+Domain with_seeds_and_chords(Domain domain) {
+  if (domain.inside == Inside::HoleSeeds && !has_curves(domain)) return domain;
+  for (const int v : isolated_points(domain)) domain.required_points.push_back(v);  // domain_of keeps these
+  return domain_of(triangulated(domain));
 }
 
 void convert_fields(const ConvertArguments& arguments) {
@@ -62,7 +66,7 @@ bool is_geometry(const ConvertArguments& arguments) {
 
 void convert_geometry(const ConvertArguments& arguments) {
   const Domain domain = read_domain(arguments.in, arguments.repair);
-  if (file_suffix(arguments.out) == ".poly") return write_poly(arguments.out, with_hole_seeds(domain));
+  if (file_suffix(arguments.out) == ".poly") return write_poly(arguments.out, with_seeds_and_chords(domain));
   write_any_mesh(arguments.out, triangulated(domain), {}, arguments.write);
 }
 

@@ -101,7 +101,10 @@ TEST_CASE("A domain comes back from a .poly file", "[mesher][io][triangle]") {
   CHECK(back.holes == domain.holes);
   CHECK(seeds(back) == seeds(domain));
   CHECK(back.regions[1].region == -8);
-  domain.inside = parmesan::Inside::EvenOdd;
+  Domain even_odd = domain;
+  even_odd.inside = parmesan::Inside::EvenOdd;
+  CHECK_THROWS_AS(write_poly(folder / "e.poly", even_odd), FileError);
+  domain.segments[1].curve = 0;
   CHECK_THROWS_AS(write_poly(folder / "e.poly", domain), FileError);
 }
 
