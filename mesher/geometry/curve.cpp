@@ -31,6 +31,14 @@ double nearest_on_chord(const Point& p, const Point& a, const Point& b) {
   return length2 > 0.0 ? std::clamp(dot(p - a, b - a) / length2, 0.0, 1.0) : 0.0;
 }
 
+// Whether the tangent turns away from that in the middle at more places, in no simple ratio to the halving: waves and
+// teeth in step with that are straight at its own. With these shares up to 300 waves and 200 teeth are seen.
+bool turns_beside(const Curve& curve, double from, double to, const Vector& middle) {
+  constexpr std::array shares{0.0902, 0.2361, 0.7853};
+  return std::any_of(shares.begin(), shares.end(),
+                     [&](double share) { return angle(curve.tangent(from + share * (to - from)), middle) > max_turn; });
+}
+
 }  // namespace
 
 Curve::Curve(Map point, Map derivative, double first, double last, std::vector<double> breaks)
@@ -107,30 +115,34 @@ void Curve::sample() {
 
 // Halved until little is turned; where that does not help there is a kink. One at an end is where a longer curve was
 // split there, but for rounding.
-void Curve::sample_between(double from, double to) {
+void Curve::sample_between(double first, double last) {
   constexpr double smallest = 1e-13;
   constexpr double at_end = 1e-12;
   constexpr std::size_t max_samples = 1'000'000;
-  std::vector<double> ends{to};
+  struct Place {
+    double t;
+    Point point;
+    Vector tangent;
+  };
+  const auto place_at = [this](double t) { return Place{t, checked_point(t), tangent(t)}; };
+  Place from = place_at(first);
+  std::vector<Place> ends{place_at(last)};
   while (!ends.empty()) {
-    const double end = ends.back();
-    const double middle = 0.5 * (from + end);
-    const Point a = samples_.back().point;
-    const Point m = checked_point(middle);
-    const Point b = checked_point(end);
-    const Vector t = tangent(middle);
-    double turned = angle(tangent(from), t) + angle(t, tangent(end));
-    if (turned > max_turn && end - from > smallest) {
+    const Place end = ends.back();
+    const Place middle = place_at(0.5 * (from.t + end.t));
+    double turned = angle(from.tangent, middle.tangent) + angle(middle.tangent, end.tangent);
+    if (end.t - from.t > smallest && (turned > max_turn || turns_beside(*this, from.t, end.t, middle.tangent))) {
       if (samples_.size() + ends.size() > max_samples)
-        throw GeometryError("the curve winds without end near parameter " + std::to_string(parameter(middle)));
+        throw GeometryError("the curve winds without end near parameter " + std::to_string(parameter(middle.t)));
       ends.push_back(middle);
       continue;
     }
     if (turned > max_turn) {
-      if (end > at_end && end < 1.0 - at_end) kinks_.push_back(end);
+      if (end.t > at_end && end.t < 1.0 - at_end) kinks_.push_back(end.t);
       turned = 0.0;
     }
-    samples_.push_back({end, b, samples_.back().turned + turned, distance_to_line(m, a, b)});
+    const double deviation = distance_to_line(middle.point, from.point, end.point);
+    samples_.push_back({end.t, end.point, samples_.back().turned + turned, deviation});
     from = end;
     ends.pop_back();
   }

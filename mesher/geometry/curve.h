@@ -14,7 +14,8 @@ namespace parmesan {
 /// A plane curve, or a part of one, along which a segment of a domain runs. Its parameter t goes from 0 to 1.
 ///
 /// The curve is sampled once, densely enough that it turns by little from one sample to the next; places where it
-/// turns at once are its kinks. Units: L.
+/// turns at once are its kinks. What turns back within a 60th of the parameter, alone on a straight part, may be
+/// missed. Units: L.
 class Curve {
  public:
   using Map = std::function<Point(double)>;
@@ -94,7 +95,7 @@ class Curve {
   Point checked_point(double t) const;
   Vector inner_difference(double t) const;
   void sample();
-  void sample_between(double from, double to);
+  void sample_between(double first, double last);
   std::size_t arc_at(double t) const;
   double distance_to_chord(std::size_t arc, const Point& p) const;
   double nearest_on_arc(std::size_t arc, const Point& p) const;

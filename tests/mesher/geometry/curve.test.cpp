@@ -120,6 +120,39 @@ TEST_CASE("Kinks are found where the direction jumps", "[mesher][geometry]") {
   CHECK(bent.kinks()[0] == Approx(0.3).margin(1e-12));
 }
 
+TEST_CASE("Waves are followed, in step with powers of two or not", "[mesher][geometry]") {
+  for (int n = 1; n <= 130; ++n) {
+    const double w = 2.0 * pi * n;
+    const Curve wave(
+        [&](double s) {
+          return Point{s, 0.3 / n * std::sin(w * s)};
+        },
+        [&](double s) {
+          return Vector{1.0, 0.6 * pi * std::cos(w * s)};
+        },
+        0.0, 1.0);
+    CAPTURE(n);
+    CHECK(wave.turn(0.0, 1.0) == Approx(4.0 * n * std::atan(0.6 * pi)).epsilon(0.02));  // between slopes of 0.6 pi
+  }
+}
+
+TEST_CASE("All kinks of many teeth are found", "[mesher][geometry]") {
+  for (const int n : {2, 16, 29, 30, 31, 32, 64, 65, 96, 97, 127, 128, 129}) {
+    const Curve teeth(
+        [&](double s) {
+          return Point{s, std::abs(std::sin(pi * n * s)) / n};
+        },
+        [&](double s) {
+          return Vector{1.0, pi * std::cos(pi * n * s) * (std::sin(pi * n * s) < 0.0 ? -1.0 : 1.0)};
+        },
+        0.0, 1.0);
+    CAPTURE(n);
+    REQUIRE(teeth.kinks().size() == static_cast<std::size_t>(n) - 1);
+    for (int i = 1; i < n; ++i)
+      CHECK(teeth.kinks()[static_cast<std::size_t>(i) - 1] == Approx(static_cast<double>(i) / n).margin(1e-12));
+  }
+}
+
 TEST_CASE("Parts of a curve that was split at a kink have none", "[mesher][geometry]") {
   for (const double kink : {0.3, 0.9, 1.0 / 3.0, 0.7071}) {
     const Curve bent(
