@@ -52,6 +52,7 @@ Curve::Curve(Map point, Map derivative, double first, double last, std::vector<d
                         std::to_string(first) + " to " + std::to_string(last));
   std::sort(breaks_.begin(), breaks_.end());
   sample();
+  whole_extent_ = extent_;
 }
 
 Point Curve::checked_point(double t) const {
@@ -151,8 +152,10 @@ void Curve::sample_between(double first, double last) {
 Curve Curve::part(double t0, double t1) const {
   const auto [low, high] = std::minmax({parameter(t0), parameter(t1)});
   const auto first = std::upper_bound(breaks_.begin(), breaks_.end(), low);
-  return Curve(point_, derivative_, parameter(t0), parameter(t1),
+  Curve result(point_, derivative_, parameter(t0), parameter(t1),
                {first, std::lower_bound(first, breaks_.end(), high)});
+  result.whole_extent_ = whole_extent_;
+  return result;
 }
 
 // The number of the sample that ends the arc with t in it.

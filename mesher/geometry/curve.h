@@ -56,6 +56,9 @@ class Curve {
   /// Diagonal of the upright rectangle around the curve.
   double extent() const { return extent_; }
 
+  /// That of the curve that this one is a part of, over any number of parts.
+  double whole_extent() const { return whole_extent_; }
+
   /// The parameters of those points, ascending.
   std::vector<double> sample_parameters() const;
 
@@ -109,6 +112,7 @@ class Curve {
   BoxTree arcs_;  // that end at the samples from the second on, around all that is as near to their chords as they are
   std::vector<double> kinks_;
   double extent_ = 0.0;
+  double whole_extent_ = 0.0;
   std::vector<double> chord_errors_;  // of the arc that ends at each sample; empty: no limit
 };
 

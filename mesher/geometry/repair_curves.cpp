@@ -15,8 +15,15 @@ namespace {
 
 constexpr double tolerance = 1e-9;  // of a curve's extent, within which a point is on it
 
-/// The same as a length near a point; of pieces that are small where coordinates are large 16 ulp of these.
-double reach(const Curve& curve, const Point& p) { return std::max(tolerance * curve.extent(), rounding_of({&p, 1})); }
+/// The same as a length near a point: for pieces that of the curve they were cut from, whose ends they have; of curves
+/// that are small where coordinates are large 16 ulp of these.
+double reach(const Curve& curve, const Point& p) {
+  return std::max(tolerance * curve.whole_extent(), rounding_of({&p, 1}));
+}
+
+bool is_at_end(const Curve& curve, const Point& p) {
+  return std::min(norm(p - curve.at(0.0)), norm(p - curve.at(1.0))) <= reach(curve, p);
+}
 
 const Curve& curve_of(const DomainRepair& repair, const Segment& s) { return repair.domain.curves[at(s.curve)]; }
 
@@ -83,15 +90,12 @@ struct Cut {
 // Points of the domain on the segment, not its ends.
 std::vector<Cut> cuts_at_points(const DomainRepair& repair, const Places& points, const Segment& s) {
   const Curve& curve = curve_of(repair, s);
-  const Point begin = curve.at(0.0);
-  const Point end = curve.at(1.0);
   std::vector<Cut> cuts;
   for (const int v : points.near(curve)) {
     const Point& p = points[v];
-    const double near = reach(curve, p);
-    if (v == s.a || v == s.b || norm(p - begin) <= near || norm(p - end) <= near) continue;
+    if (v == s.a || v == s.b || is_at_end(curve, p)) continue;
     const double t = curve.nearest(p);
-    if (norm(curve.at(t) - p) <= near) cuts.push_back({t, v});
+    if (norm(curve.at(t) - p) <= reach(curve, p)) cuts.push_back({t, v});
   }
   return cuts;
 }
@@ -104,7 +108,7 @@ int make_point(DomainRepair& repair, Places& points, const Point& p) {
   return static_cast<int>(repair.domain.points.size()) - 1;
 }
 
-// Kinks, points, and the middle of a closed curve that has none of them.
+// Kinks, points, and the middle of a closed curve that has none of them. A kink at an end is where the curve was cut.
 std::vector<Cut> cuts_of(DomainRepair& repair, Places& points, const Segment& s) {
   std::vector<Cut> cuts = cuts_at_points(repair, points, s);
   const Curve& curve = curve_of(repair, s);
@@ -112,7 +116,8 @@ std::vector<Cut> cuts_of(DomainRepair& repair, Places& points, const Segment& s)
     const Point kink = curve.at(t);
     const double near = reach(curve, kink);
     const auto is_there = [&](const Cut& cut) { return norm(points[cut.point] - kink) <= near; };
-    if (std::none_of(cuts.begin(), cuts.end(), is_there)) cuts.push_back({t, make_point(repair, points, kink)});
+    if (!is_at_end(curve, kink) && std::none_of(cuts.begin(), cuts.end(), is_there))
+      cuts.push_back({t, make_point(repair, points, kink)});
   }
   if (s.a == s.b && cuts.empty()) cuts.push_back({0.5, make_point(repair, points, curve.at(0.5))});
   std::sort(cuts.begin(), cuts.end(), [](const Cut& c, const Cut& d) { return c.t < d.t; });

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mesher/errors.h"
+#include "tests/support/curved_domains.h"
 
 using namespace parmesan;
 using Catch::Matchers::Contains;
@@ -308,4 +310,32 @@ TEST_CASE("clean applied twice changes nothing more", "[mesher][domain]") {
   CHECK(twice.repairs.empty());
   CHECK(twice.domain.points == once.domain.points);
   CHECK(ends_of(twice.domain) == ends_of(once.domain));
+}
+
+TEST_CASE("clean applied twice changes nothing more where it cut curves", "[mesher][domain][curves]") {
+  Domain domain;
+  SECTION("at kinks") {
+    const int n = GENERATE(2, 20, 50);
+    domain.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, -1.0}, {0.0, -1.0}};
+    domain.segments = {{0, 1, 1, {}, false, 0}, {1, 2, 2}, {2, 3, 2}, {3, 0, 2}};
+    domain.curves.emplace_back(
+        [n](double t) {
+          return Point{t, std::abs(std::sin(n * std::numbers::pi * t)) / n};
+        },
+        [n](double t) {
+          const double angle = n * std::numbers::pi * t;
+          return Vector{1.0, std::numbers::pi * std::cos(angle) * (std::sin(angle) < 0.0 ? -1.0 : 1.0)};
+        },
+        0.0, 1.0);
+    CHECK(clean(domain).domain.points.size() == static_cast<std::size_t>(n) - 1 + 4);
+  }
+  SECTION("at a point that is on the curve to 9 digits, near an end of it") {
+    domain = support::disc(1.0);
+    domain.points.insert(domain.points.end(), {{0.995004165, 0.099833417}, {0.0, 0.0}});
+    domain.segments.push_back({1, 2, 2});
+  }
+  const Domain once = clean(domain).domain;
+  const Domain twice = clean(once).domain;
+  CHECK(twice.points == once.points);
+  CHECK(twice.segments.size() == once.segments.size());
 }
