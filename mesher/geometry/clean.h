@@ -25,7 +25,7 @@ struct CleanDomain {
 /// Where crossings are split, curves that run together become one, and curved segments are split on both curves.
 ///
 /// Curved segments are split at kinks, in the middle if they begin and end in one point, and at points of the domain
-/// that lie on them to 1e-9 of their extent.
+/// that lie on them to 1e-9 of their extent, for pieces that of the whole: cleaning twice changes nothing more.
 ///
 /// Errors: InputError for coordinates over 1e75 and a domain smaller than 1e-75. GeometryError for coordinates that are
 /// not finite, indices out of range, a negative tolerance, fewer than three non-collinear points, properly crossing

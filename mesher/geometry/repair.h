@@ -69,10 +69,11 @@ DomainRepair merge_points(const Domain& domain);
 /// Errors: GeometryError for a segment whose curve does not begin and end at its points, and for a seed on a curve.
 DomainRepair split_curves(DomainRepair repair);
 
-/// Whether the curve of a segment begins and ends at its points, to 1e-9 of its extent or 16 ulp.
+/// Whether the curve of a segment begins and ends at its points, to 1e-9 of its extent, or the whole's for pieces, or
+/// 16 ulp.
 bool ends_meet(const Domain& domain, const Segment& segment);
 
-/// The same without the checks, once they are made: ends of pieces may be off by more than their extent allows.
+/// As split_curves without the checks, once they are made.
 DomainRepair cut_curves(DomainRepair repair);
 
 /// Errors: GeometryError for fewer than three points or all on one line; InputError for a diameter under 1e-75.
