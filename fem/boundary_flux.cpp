@@ -10,20 +10,21 @@ namespace parmesan {
 
 namespace {
 
-/// n.K grad u_h in the triangle at the middle of the side; nothing of it is known for interior constraints.
+/// n.K grad u_h in the triangle at the middle of the side, of interior constraints from both sides.
 double element_flux(const Mesh& mesh, const Problem& problem, const Side& side, std::span<const double> values) {
-  if (side.interior) return 0.0;
-  const std::array<double, 3> u = at_corners(mesh, static_cast<std::size_t>(side.triangle), values);
   const Point middle = midpoint(mesh.points[static_cast<std::size_t>(side.from)],  //
                                 mesh.points[static_cast<std::size_t>(side.to)]);
-  const Vector gradient = p1_gradient(p1_element(mesh, side.triangle), u);
-  return dot(side.normal, diffusion_at(problem, middle, side.region) * gradient);
+  const auto out_of = [&](int triangle, int region) {
+    const std::array<double, 3> u = at_corners(mesh, static_cast<std::size_t>(triangle), values);
+    return dot(side.normal, diffusion_at(problem, middle, region) * p1_gradient(p1_element(mesh, triangle), u));
+  };
+  const double flux = out_of(side.triangle, side.region);
+  return side.interior ? flux - out_of(side.other_triangle, side.other_region) : flux;
 }
 
 /// What the source's own flux adds to the residuals of a Dirichlet side, NaN where it is not finite: data may be
 /// singular on the boundary.
 SideMoments own_flux(const Mesh& mesh, const Problem& problem, const Side& side) {
-  if (side.interior) return {};
   try {
     return source_flux_moments(mesh, problem, side);
   } catch (const ProblemError&) {

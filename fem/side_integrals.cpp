@@ -5,6 +5,7 @@
 
 #include "fem/coefficients.h"
 #include "fem/quadrature.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -63,6 +64,19 @@ class SideFunction {
   const BoundaryData& g_;
 };
 
+/// n.(q_left - q_right), far from rounding: on the side itself q may be that of either triangle, or neither's.
+BoundaryData jump_of_source_flux(const Mesh& mesh, const Problem& problem, const Side& side) {
+  const auto apex = [&](int triangle) {
+    return mesh.points[at(mesh.triangles[at(triangle)][apex_of(mesh, side, triangle)])];
+  };
+  return [&problem, &side, left = apex(side.triangle), right = apex(side.other_triangle)](const Point& x,
+                                                                                          const Vector& normal, int) {
+    constexpr double share = 0x1p-27;
+    return dot(normal, source_flux_at(problem, lerp(x, left, share), side.region) -
+                           source_flux_at(problem, lerp(x, right, share), side.other_region));
+  };
+}
+
 }  // namespace
 
 double data_at(const BoundaryData& g, const Side& side, const Point& x, const char* name) {
@@ -77,6 +91,7 @@ SideMoments side_moments(const Mesh& mesh, const Side& side, const BoundaryData&
 
 SideMoments source_flux_moments(const Mesh& mesh, const Problem& problem, const Side& side) {
   if (!uses_divergence_form(problem)) return {};
+  if (side.interior) return side_moments(mesh, side, jump_of_source_flux(mesh, problem, side));
   return side_moments(mesh, side, [&problem](const Point& x, const Vector& normal, int region) {
     return dot(normal, source_flux_at(problem, x, region));
   });

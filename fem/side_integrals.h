@@ -20,7 +20,8 @@ struct SideMoments {
 /// Errors: ProblemError where g is not finite.
 SideMoments side_moments(const Mesh& mesh, const Side& side, const BoundaryData& g);
 
-/// The moments of n.q, q the flux of a source in divergence form; zero where it has none.
+/// The moments of n.q, q the flux of a source in divergence form; zero where it has none. For an interior constraint,
+/// across which q may jump, those of n.(q_left - q_right), each a little inside of its triangle.
 /// Errors: ProblemError where q is not finite.
 SideMoments source_flux_moments(const Mesh& mesh, const Problem& problem, const Side& side);
 

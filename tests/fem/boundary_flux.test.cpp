@@ -108,4 +108,34 @@ TEST_CASE("the flux into an interior constraint comes from both sides", "[fem][f
   CHECK(fluxes.at(Top) == 0.0);
 }
 
+TEST_CASE("the flux into an interior constraint is that of the kink of a source in divergence form", "[fem][flux]") {
+  const Mesh mesh = square_with_middle_line(9);
+  Problem problem;
+  // u = |x - 1/2|, whose derivative on the line itself is taken as 0: -1 from both sides.
+  const auto kink = [](const Point& p) { return std::abs(p.x - 0.5); };
+  problem.divergence_form = {[](const Point& p, int) {
+                               return Vector{(p.x > 0.5 ? 1.0 : 0.0) - (p.x < 0.5 ? 1.0 : 0.0), 0};
+                             },
+                             {}};
+  problem.boundary = dirichlet_everywhere(kink);
+  problem.boundary[9] = problem.boundary[Top];
+  const std::map<int, double> fluxes = solve(mesh, problem).fluxes;
+  CHECK(fluxes.at(9) == Approx(-2.0).epsilon(1e-12));
+  CHECK(fluxes.at(Left) == Approx(1.0).epsilon(1e-12));
+  CHECK(sum(fluxes) == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("the flux into an interior constraint is that of the diffusions on its sides", "[fem][flux]") {
+  // u = x, K = 1 left of the line and 10 right of it: 1 from the left, -10 from the right.
+  Mesh mesh = square_with_middle_line(9);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    mesh.regions[t] = p1_element(mesh, static_cast<int>(t)).at({1.0 / 3, 1.0 / 3, 1.0 / 3}).x < 0.5 ? 1 : 10;
+  Problem problem;
+  problem.diffusion = [](const Point&, int region) { return Diffusion{1.0 * region, 0, 1.0 * region}; };
+  problem.divergence_form = {[](const Point&, int region) { return Vector{1.0 * region, 0}; }, {}};
+  problem.boundary = dirichlet_everywhere([](const Point& p) { return p.x; });
+  problem.boundary[9] = problem.boundary[Top];
+  CHECK(solve(mesh, problem).fluxes.at(9) == Approx(-9.0).epsilon(1e-12));
+}
+
 }  // namespace parmesan
