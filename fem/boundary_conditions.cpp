@@ -28,6 +28,14 @@ void add_robin(const Side& side, const RobinMoments& a, AssembledSystem& system)
 
 }  // namespace
 
+const BoundaryCondition* condition_on(const Problem& problem, const Side& side) {
+  const auto found = problem.boundary.find(side.label);
+  if (found == problem.boundary.end()) return nullptr;
+  const BoundaryCondition& condition = found->second;
+  const bool holds = !side.interior || (condition.kind == BoundaryKind::Dirichlet && condition.on_constraints);
+  return holds ? &condition : nullptr;
+}
+
 void check_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
   std::set<int> boundary;
   std::set<int> all;
@@ -41,7 +49,8 @@ void check_conditions(const Mesh& mesh, const Problem& problem, const std::vecto
   for (const auto& [label, condition] : problem.boundary) {
     const std::string name = label_name(mesh.label_names, label);
     if (!all.contains(label)) unknown.insert(label);
-    if (all.contains(label) && !boundary.contains(label) && condition.kind != BoundaryKind::Dirichlet) {
+    const bool is_inside = all.contains(label) && !boundary.contains(label);
+    if (is_inside && condition.on_constraints && condition.kind != BoundaryKind::Dirichlet) {
       throw ProblemError("label " + name + " has interior constraints only; a condition there must be Dirichlet");
     }
     if (condition.kind == BoundaryKind::Robin && !condition.coefficient) {
@@ -82,13 +91,13 @@ FixedVertices dirichlet_values(const Mesh& mesh, const Problem& problem, const s
   std::vector<int> label(mesh.points.size(), 0);
   std::vector<int> count(mesh.points.size(), 0);
   for (const Side& side : sides) {
-    const auto condition = problem.boundary.find(side.label);
-    if (condition == problem.boundary.end() || condition->second.kind != BoundaryKind::Dirichlet) continue;
+    const BoundaryCondition* condition = condition_on(problem, side);
+    if (!condition || condition->kind != BoundaryKind::Dirichlet) continue;
     for (const int vertex : {side.from, side.to}) {
       const auto v = static_cast<std::size_t>(vertex);
       if (result.fixed[v] && label[v] < side.label) continue;
       if (label[v] != side.label) count[v] = 0;
-      const double g = data_at(condition->second.value, side, mesh.points[v]);
+      const double g = data_at(condition->value, side, mesh.points[v]);
       label[v] = side.label;
       result.fixed[v] = 1;
       ++count[v];

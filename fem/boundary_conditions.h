@@ -9,8 +9,12 @@
 
 namespace parmesan {
 
+/// The condition that holds on a side, null where none does. On interior constraints that is a Dirichlet condition that
+/// is for them, too.
+const BoundaryCondition* condition_on(const Problem& problem, const Side& side);
+
 /// Errors: ProblemError for a boundary label without a condition, a condition for a label that the
-/// mesh does not have, a Neumann or Robin condition on interior constraints only, and a Robin
+/// mesh does not have, a Neumann or Robin condition for interior constraints only, and a Robin
 /// condition without coefficient. The message lists what is missing and what is allowed.
 void check_conditions(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);
 

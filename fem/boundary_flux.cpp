@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "fem/boundary_conditions.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/side_integrals.h"
@@ -57,11 +58,11 @@ std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, 
   std::map<int, VertexFlux> at;
   std::vector<const Side*> dirichlet;
   for (const Side& side : sides) {
-    const auto condition = problem.boundary.find(side.label);
-    if (condition == problem.boundary.end()) continue;
+    const BoundaryCondition* condition = condition_on(problem, side);
+    if (!condition) continue;
     double& flux = fluxes[side.label];
-    if (condition->second.kind != BoundaryKind::Dirichlet) {
-      if (!side.interior) flux += given_flux(mesh, side, condition->second, values);
+    if (condition->kind != BoundaryKind::Dirichlet) {
+      flux += given_flux(mesh, side, *condition, values);
       continue;
     }
     dirichlet.push_back(&side);

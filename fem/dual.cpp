@@ -6,6 +6,8 @@
 #include "fem/boundary_conditions.h"
 #include "fem/free_equations.h"
 #include "fem/null_space.h"
+#include "fem/side_integrals.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
@@ -36,9 +38,12 @@ Functional dual_load(const Mesh& mesh, const Problem& problem, const std::vector
     for (std::size_t v = 0; v < load.size(); ++v) load[v] += factor * part.data()[v];
   };
   if (streams) add(1.0, assemble(mesh, turned_round(problem, goal)).load);
-  for (const auto& [label, condition] : problem.boundary) {
-    const bool asked = condition.kind == BoundaryKind::Robin && goal.fluxes.contains(label);
-    if (asked) add(-1.0, boundary_integral(mesh, sides, label, condition.coefficient));
+  for (const Side& side : sides) {
+    const BoundaryCondition* condition = condition_on(problem, side);
+    if (!condition || condition->kind != BoundaryKind::Robin || !goal.fluxes.contains(side.label)) continue;
+    const SideMoments a = side_moments(mesh, side, condition->coefficient);
+    load[at(side.from)] -= a.from;
+    load[at(side.to)] -= a.to;
   }
   return load;
 }

@@ -30,7 +30,8 @@ enum class BoundaryKind { Dirichlet, Neumann, Robin };
 struct BoundaryCondition {
   BoundaryKind kind = BoundaryKind::Dirichlet;
   BoundaryData value;
-  BoundaryData coefficient;  // Robin only
+  BoundaryData coefficient;    // Robin only
+  bool on_constraints = true;  // Dirichlet: interior constraints with the label are held, too
 };
 
 /// A source of this strength concentrated in a point: strength times the delta distribution.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fem/adjacency.h"
+#include "fem/boundary_conditions.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/point_sources.h"
@@ -89,9 +90,8 @@ SideResiduals half_jumps(const Mesh& mesh, const Problem& problem, const Adjacen
 }
 
 /// g - a u - n.K grad u_h, in the mean over the side; zero with Dirichlet data.
-double data_residual(const Mesh& mesh, const Problem& problem, const Side& side, const Piece& p,
-                     std::span<const double> values) {
-  const BoundaryCondition& condition = problem.boundary.at(side.label);
+double data_residual(const Mesh& mesh, const Problem& problem, const Side& side, const BoundaryCondition& condition,
+                     const Piece& p, std::span<const double> values) {
   if (condition.kind == BoundaryKind::Dirichlet) return 0.0;
   const SideMoments g = side_moments(mesh, side, condition.value);
   double given = g.from + g.to;
@@ -115,9 +115,11 @@ SideResiduals side_residuals(const Mesh& mesh, const Problem& problem, const std
   const Adjacency around = vertex_triangles(mesh);
   SideResiduals residuals = half_jumps(mesh, problem, around, pieces);
   for (const Side& side : labelled_sides(mesh)) {
-    if (!problem.boundary.contains(side.label)) continue;
+    const BoundaryCondition* condition = condition_on(problem, side);
+    if (!condition) continue;
     const Piece& inside = pieces[at(side.triangle)];
-    residual_of(mesh, residuals, side.triangle, side.from) = data_residual(mesh, problem, side, inside, values);
+    residual_of(mesh, residuals, side.triangle, side.from) =
+        data_residual(mesh, problem, side, *condition, inside, values);
     if (side.interior)  // a Dirichlet condition, for both sides
       residual_of(mesh, residuals, opposite(mesh, around, side.triangle, side.from, side.to), side.to) = 0.0;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/boundary_conditions.h"
 #include "mesher/index.h"
 
 namespace parmesan {
@@ -39,8 +40,7 @@ std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const 
 
 bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side) {
   if (!side.interior) return false;
-  const auto condition = problem.boundary.find(side.label);
-  if (condition != problem.boundary.end() && condition->second.kind == BoundaryKind::Dirichlet) return true;
+  if (condition_on(problem, side)) return true;
   if (!problem.diffusion || side.region == side.other_region) return false;
   const Point middle = midpoint(mesh.points[at(side.from)], mesh.points[at(side.to)]);
   return differ(problem.diffusion(middle, side.region), problem.diffusion(middle, side.other_region));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/boundary_conditions.h"
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/side_integrals.h"
@@ -89,10 +90,8 @@ SolutionBounds solution_bounds(const Mesh& mesh, const Problem& problem, const s
   for (const PointSource& source : problem.point_sources) bounds.add_inflow(source.strength);
   add_triangles(mesh, problem, bounds);
   for (const Side& side : sides) {
-    const auto condition = problem.boundary.find(side.label);
-    if (condition == problem.boundary.end() || !bounds.any()) continue;
-    const bool dirichlet = condition->second.kind == BoundaryKind::Dirichlet;
-    if (!side.interior || dirichlet) add_side(mesh, side, condition->second, bounds);
+    const BoundaryCondition* condition = condition_on(problem, side);
+    if (condition && bounds.any()) add_side(mesh, side, *condition, bounds);
   }
   return bounds.result();
 }

@@ -57,4 +57,20 @@ TEST_CASE("where Dirichlet labels meet the lower label is taken", "[fem][boundar
   CHECK(fixed.fixed == std::vector<char>{1, 1, 1, 1, 0, 1, 1, 1, 1});
 }
 
+TEST_CASE("a condition for sides only leaves interior constraints with its label free", "[fem][boundary]") {
+  // The line x = 1/2 has a label of its own, or that of a side.
+  const int label = GENERATE(9, Top);
+  const Mesh mesh = square_with_middle_line(label);
+  Problem problem = unit_poisson();
+  const std::vector<double> free = solve(rectangle_mesh(4, 4), problem).values;
+  for (const BoundaryCondition& condition : {dirichlet({}), neumann({}), robin(constant(1), {})}) {
+    if (label == Top && condition.kind != BoundaryKind::Dirichlet) continue;
+    problem.boundary[label] = condition;
+    problem.boundary[label].on_constraints = false;
+    const Solution solution = solve(mesh, problem);
+    CHECK(solution.values == free);
+    CHECK(solution.fluxes.contains(label) == (label == Top));
+  }
+}
+
 }  // namespace parmesan

@@ -99,6 +99,16 @@ TEST_CASE("a flux through Robin sides is what the Robin term takes", "[fem][dual
   CHECK(1.0 + dual == Approx(solution.fluxes.at(Top)).epsilon(1e-10));
 }
 
+TEST_CASE("the flux through a Robin side is not that of an inner line with its label", "[fem][dual]") {
+  const Mesh mesh = square_with_middle_line(Top);
+  const Problem problem = all_terms();
+  GoalFunctional goal;
+  goal.fluxes = {Top};
+  const std::vector<double> z = solve_dual(mesh, problem, goal);
+  const std::vector<double> without_line = solve_dual(rectangle_mesh(4, 4), problem, goal);
+  for (std::size_t v = 0; v < z.size(); ++v) CHECK(z[v] == Approx(without_line[v]).margin(1e-12));
+}
+
 TEST_CASE("with SUPG a linear dual solution is still exact", "[fem][dual][supg]") {
   // z = 3 (1 - x) with b = (5, 1): -div(b z) = 15, and n.K grad z + b.n z = -3 k n_x + 3 (1 - x) b.n on the sides.
   const double k = 1e-3;

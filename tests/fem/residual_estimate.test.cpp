@@ -114,6 +114,15 @@ TEST_CASE("the residual estimate of a bend along a Dirichlet constraint or an in
   }
 }
 
+TEST_CASE("an inner line with the label of a Neumann or Robin side has no residual of their data", "[fem][estimate]") {
+  Problem problem = wave({1, 0, 1});
+  problem.boundary[Top] = GENERATE(neumann({}), robin(constant(3), constant(3)));
+  const Mesh mesh = square_with_middle_line(Top);
+  const std::vector<double> u = interpolate(mesh, Wave::value);
+  CHECK(residual_estimate(mesh, problem, u) ==
+        Approx(residual_estimate(rectangle_mesh(4, 4), problem, u)).epsilon(1e-12));
+}
+
 TEST_CASE("the residual estimate leaves out the triangles of point sources", "[fem][estimate]") {
   const Mesh mesh = bent_square(12);
   Problem problem = wave({1, 0, 1});
