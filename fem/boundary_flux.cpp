@@ -41,19 +41,24 @@ struct VertexFlux {
 };
 
 double given_flux(const Mesh& mesh, const Side& side, const BoundaryCondition& condition,
-                  std::span<const double> values) {
+                  std::span<const double> values, std::span<const Surplus> surplus) {
   const SideMoments g = side_moments(mesh, side, condition.value);
   if (condition.kind == BoundaryKind::Neumann) return g.from + g.to;
   const RobinMoments a = robin_moments(mesh, side, condition.coefficient);
   const double from = values[static_cast<std::size_t>(side.from)];
   const double to = values[static_cast<std::size_t>(side.to)];
-  return g.from + g.to - (a.from_from + a.from_to) * from - (a.from_to + a.to_to) * to;
+  const double flux = g.from + g.to - (a.from_from + a.from_to) * from - (a.from_to + a.to_to) * to;
+  if (surplus.empty()) return flux;
+  const double s = surplus[static_cast<std::size_t>(side.triangle)][apex_of(mesh, side, side.triangle)];
+  const SideMoments q = quadratic_robin_moments(mesh, side, condition.coefficient, s);
+  return flux - q.from - q.to;
 }
 
 }  // namespace
 
 std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
-                                      std::span<const double> residual, std::span<const double> values) {
+                                      std::span<const double> residual, std::span<const double> values,
+                                      std::span<const Surplus> surplus) {
   std::map<int, double> fluxes;
   std::map<int, VertexFlux> at;
   std::vector<const Side*> dirichlet;
@@ -62,7 +67,7 @@ std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, 
     if (!condition) continue;
     double& flux = fluxes[side.label];
     if (condition->kind != BoundaryKind::Dirichlet) {
-      flux += given_flux(mesh, side, *condition, values);
+      flux += given_flux(mesh, side, *condition, values, surplus);
       continue;
     }
     dirichlet.push_back(&side);

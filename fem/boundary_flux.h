@@ -4,6 +4,7 @@
 #include <span>
 
 #include "fem/problem.h"
+#include "fem/quadratic.h"
 #include "fem/sides.h"
 
 namespace parmesan {
@@ -19,8 +20,10 @@ namespace parmesan {
 ///     sum of fluxes = int (b.grad u + c u - f)    to round-off.
 ///
 /// For interior constraints with a condition it is the flux into them from both sides.
-/// residual: r = A u - F, n. values: n. Units: U K L^0. Cost: O(n).
+/// residual: r = A u - F, n. values: n. surplus: of each triangle where u has quadratics above its values, empty for
+/// none. Units: U K L^0. Cost: O(n).
 std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
-                                      std::span<const double> residual, std::span<const double> values);
+                                      std::span<const double> residual, std::span<const double> values,
+                                      std::span<const Surplus> surplus = {});
 
 }  // namespace parmesan

@@ -58,6 +58,7 @@ CorrectedValues correct_defect(DiscreteProblem& discrete, std::span<const double
     done = result.steps == max_steps || is_small;
     if (done) {
       w += f;
+      result.surplus = std::move(step->surplus);
     } else {
       w = acceleration.next(w, f);
     }

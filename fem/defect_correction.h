@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/discrete_problem.h"
+#include "fem/quadratic.h"
 
 namespace parmesan {
 
@@ -11,6 +12,7 @@ namespace parmesan {
 struct CorrectedValues {
   std::vector<double> values;    // n
   std::vector<double> residual;  // n: B(values + q, phi_i) - F_i, zero where values are free
+  std::vector<Surplus> surplus;  // of q, on each triangle
   int steps = 0;
   double change = 0.0;  // what the last step changed of the correction, in L2, over the whole of it
   bool converges = false;

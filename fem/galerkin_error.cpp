@@ -93,7 +93,7 @@ double functional_error(const DiscreteProblem& discrete, const GoalFunctional& g
   std::vector<double> corrected = solution.values;
   for (std::size_t v = 0; v < corrected.size(); ++v) corrected[v] += error.nodal[v];
   const std::map<int, double> fluxes =
-      boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, error.residual, corrected);
+      boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, error.residual, corrected, error.surplus);
   for (const int label : goal.fluxes)
     if (fluxes.contains(label)) sum += fluxes.at(label) - solution.fluxes.at(label);
   return sum;

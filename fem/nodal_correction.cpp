@@ -41,24 +41,17 @@ TriangleLoad form_moments(const Problem& problem, const P1Element& element, int 
   return moments;
 }
 
-/// Takes int a q phi_i from the load, over the sides with a Robin condition, where q = 4 s t (1 - t).
+/// Takes int a q phi_i from the load, over the sides with a Robin condition.
 void subtract_robin(const DiscreteProblem& discrete, std::span<const Surplus> surplus, Eigen::VectorXd& load) {
   const Mesh& mesh = discrete.mesh;
-  const std::vector<SegmentPoint> rule = gauss_rule(4);  // as for the matrix
   for (const Side& side : discrete.sides) {
     if (side.interior) continue;
     const BoundaryCondition& condition = discrete.problem.boundary.at(side.label);
     if (condition.kind != BoundaryKind::Robin) continue;
-    const auto triangle = static_cast<std::size_t>(side.triangle);
-    const double s = surplus[triangle][apex_of(mesh, side, side.triangle)];
-    const Point from = mesh.points[at(side.from)];
-    const Vector edge = mesh.points[at(side.to)] - from;
-    for (const auto& [t, weight] : rule) {
-      const double a = data_at(condition.coefficient, side, from + t * edge, "Robin coefficient");
-      const double product = weight * side.length * a * 4.0 * s * t * (1.0 - t);
-      load[side.from] -= product * (1.0 - t);
-      load[side.to] -= product * t;
-    }
+    const double s = surplus[at(side.triangle)][apex_of(mesh, side, side.triangle)];
+    const SideMoments moments = quadratic_robin_moments(mesh, side, condition.coefficient, s);
+    load[side.from] -= moments.from;
+    load[side.to] -= moments.to;
   }
 }
 

@@ -112,4 +112,17 @@ RobinMoments robin_moments(const Mesh& mesh, const Side& side, const BoundaryDat
   return sum;
 }
 
+SideMoments quadratic_robin_moments(const Mesh& mesh, const Side& side, const BoundaryData& a, double surplus) {
+  const SideFunction function(mesh, side, a);
+  SideMoments sum;
+  for (const auto& [t, weight] : gauss4()) {
+    const double q = 4.0 * surplus * t * (1.0 - t);
+    const double w = weight * side.length * function.at(t, "Robin coefficient") * q;
+    sum.from += w * (1.0 - t);
+    sum.to += w * t;
+    sum.magnitude += std::abs(w);
+  }
+  return sum;
+}
+
 }  // namespace parmesan

@@ -37,4 +37,8 @@ struct RobinMoments {
 /// The moments of a Robin coefficient, by 4 Gauss points. Errors: ProblemError where a is not finite.
 RobinMoments robin_moments(const Mesh& mesh, const Side& side, const BoundaryData& a);
 
+/// The moments of a q, by the same points: q the quadratic on the side with this surplus in the middle and 0 at the
+/// ends.
+SideMoments quadratic_robin_moments(const Mesh& mesh, const Side& side, const BoundaryData& a, double surplus);
+
 }  // namespace parmesan

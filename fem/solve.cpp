@@ -61,6 +61,8 @@ Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
   Solution solution;
   solution.residual = residual(system.matrix, found.values, load);
   solution.values = std::move(found.values);
+  solution.fluxes =
+      boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, solution.residual, solution.values);
   SolveReport& report = solution.report;
   report.solver = found.linear.solver;
   report.unknowns = static_cast<int>(found.linear.x.size());
@@ -73,10 +75,8 @@ Solution solve_once(DiscreteProblem& discrete, std::span<const double> guess) {
   return solution;
 }
 
-/// What follows from the values and the residual.
+/// What the report has of the values.
 void finish(const DiscreteProblem& discrete, Solution& solution) {
-  solution.fluxes =
-      boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, solution.residual, solution.values);
   const auto [low, high] = std::ranges::minmax_element(solution.values);
   solution.report.minimum = *low;
   solution.report.maximum = *high;
@@ -90,7 +90,9 @@ void correct(DiscreteProblem& discrete, Solution& solution) {
   solution.report.correction_change = corrected.change;
   solution.report.correction_converges = corrected.converges;
   if (!corrected.converges) return;
-  keep_within(bounds_of(discrete), corrected.values);
+  solution.fluxes = boundary_fluxes(discrete.mesh, discrete.problem, discrete.sides, corrected.residual,
+                                    corrected.values, corrected.surplus);
+  keep_within(bounds_of(discrete), corrected.values);  // the fluxes are in balance with what they were before
   const Eigen::VectorXd added = vector_of(corrected.values) - vector_of(solution.values);
   solution.correction_l2 = std::sqrt(discrete.system.mass.dot(added.cwiseAbs2()));
   solution.correction_max = added.cwiseAbs().maxCoeff();

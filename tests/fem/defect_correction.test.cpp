@@ -96,6 +96,9 @@ TEST_CASE("corrected fluxes balance the source to round-off, and are more accura
   const Mesh mesh = random_square(24, 0.24, 5);
   Problem problem = unit_poisson();
   SECTION("balance") {
+    SECTION("Dirichlet") {}
+    SECTION("Robin") { set_all(problem, robin(constant(3), constant(0.5))); }
+    SECTION("both") { problem.boundary[Top] = robin(constant(40), {}); }
     double total = 0.0;
     for (const auto& [label, flux] : corrected(mesh, problem).fluxes) total += flux;
     CHECK(total == Approx(-1.0).epsilon(1e-12));

@@ -156,4 +156,17 @@ TEST_CASE("near a resonance, where plain steps of the estimate would grow, it is
   CHECK(estimate_error(discrete, values).norms.l2 == Approx(error_norms(mesh, values, exact).l2).epsilon(0.2));
 }
 
+TEST_CASE("the flux through Robin sides all round is that of the source, and no error is found in it", "[fem][flux]") {
+  // int n.K grad u = -int f, which Galerkin's solution has to round-off.
+  Problem problem = unit_poisson();
+  set_all(problem, robin(constant(1), {}));
+  const Mesh mesh = random_square(12, 0.24, 5);
+  DiscreteProblem discrete(mesh, problem);
+  const Solution solution = solve(discrete);
+  const ErrorEstimate estimate = estimate_error(discrete, solution);
+  GoalFunctional goal;
+  goal.fluxes = {Bottom, Right, Top, Left};
+  CHECK(functional_error(discrete, goal, solution, estimate.field.value()) == Approx(0.0).margin(1e-12));
+}
+
 }  // namespace parmesan

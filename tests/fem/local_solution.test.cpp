@@ -121,6 +121,22 @@ TEST_CASE("at a reentrant corner the errors of functionals are known", "[fem][si
   CHECK(functional_error(discrete, goal, solution, *estimate.field) == Approx(error).epsilon(0.1));
 }
 
+TEST_CASE("at a reentrant corner no error is found in a flux through Robin sides that is exact", "[fem][singular][goal]") {
+  const Mesh mesh = l_shape_mesh(8);
+  Problem problem = unit_poisson();
+  problem.boundary.clear();
+  GoalFunctional goal;
+  for (const int label : mesh.labels) {
+    problem.boundary[label] = robin(constant(1), {});
+    goal.fluxes.insert(label);
+  }
+  DiscreteProblem discrete(mesh, problem);
+  REQUIRE_FALSE(discrete.local_solution().empty());
+  const Solution solution = solve(discrete);
+  const ErrorEstimate estimate = estimate_error(discrete, solution);
+  CHECK(functional_error(discrete, goal, solution, *estimate.field) == Approx(0.0).margin(1e-6));
+}
+
 TEST_CASE("where given values end the error is estimated, and corrected values have that of the interpolant",
           "[fem][singular][estimate]") {
   Problem problem = with_dirichlet(singular(0.5));
