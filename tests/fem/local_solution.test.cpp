@@ -121,7 +121,8 @@ TEST_CASE("at a reentrant corner the errors of functionals are known", "[fem][si
   CHECK(functional_error(discrete, goal, solution, *estimate.field) == Approx(error).epsilon(0.1));
 }
 
-TEST_CASE("at a reentrant corner no error is found in a flux through Robin sides that is exact", "[fem][singular][goal]") {
+TEST_CASE("at a reentrant corner no error is found in a flux through Robin sides that is exact",
+          "[fem][singular][goal]") {
   const Mesh mesh = l_shape_mesh(8);
   Problem problem = unit_poisson();
   problem.boundary.clear();
