@@ -119,10 +119,14 @@ std::map<int, BoundaryCondition> read_boundary(CaseReading& reading, const CaseG
     if (!key.starts_with("x-")) by_name[key] = reader.read(value, kBoundary + pointer_step(key));
   }
   check_labels(reading, geometry, boundary);
-  const auto assign = [&](int label, bool required) {
+  // Inner lines take the condition of their name only; which labels of a file are inside the mesh will show.
+  const auto assign = [&](int label, bool may_be_side) {
     auto found = by_name.find(label_name(geometry.domain.label_names, label));
-    if (found == by_name.end() && required) found = by_name.find("*");
-    if (found != by_name.end() && found->second) conditions[label] = *found->second;
+    const bool is_named = found != by_name.end();
+    if (!is_named && may_be_side) found = by_name.find("*");
+    if (found == by_name.end() || !found->second) return;
+    conditions[label] = *found->second;
+    conditions[label].on_constraints = is_named;
   };
   for (const int label : geometry.sides) assign(label, true);
   const bool from_file = geometry.sides.empty();

@@ -302,7 +302,7 @@ constexpr const char* kSchema = R"schema({
         "defect_correction": { "type": "boolean", "default": false,
                                "description": "corrects the values at the vertices, so that the solution is about as accurate as the interpolant of the exact one; not with a goal nor with discontinuity_capturing" },
         "boundary": { "type": "object", "minProperties": 1, "additionalProperties": { "$ref": "#/$defs/condition" },
-                      "description": "side -> its condition, \"*\" for all other sides" }
+                      "description": "side -> its condition, \"*\" for all other sides; inner segments take one by their name only" }
       }
     },
     "point_source": {

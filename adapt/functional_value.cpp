@@ -106,9 +106,15 @@ double evaluate(const CaseFunctional& functional, const Mesh& mesh, std::span<co
                 const std::map<int, double>& fluxes) {
   const GoalFunctional goal = goal_functional(functional, mesh);
   double sum = value_of(functional_vector(mesh, goal), values);
+  bool is_known = goal.fluxes.empty() || functional.where == "*";
   for (const int label : goal.fluxes) {
-    if (fluxes.contains(label)) sum += fluxes.at(label);
+    if (!fluxes.contains(label)) continue;
+    sum += fluxes.at(label);
+    is_known = true;
   }
+  if (!is_known)
+    throw ProblemError("/functionals/" + functional.name + "/flux: the side '" + functional.where +
+                       "' lies inside of the domain and has no condition of its own, so that no flux goes into it");
   return sum;
 }
 

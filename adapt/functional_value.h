@@ -13,7 +13,8 @@ namespace parmesan {
 GoalFunctional goal_functional(const CaseFunctional& functional, const Mesh& mesh);
 
 /// The functional of a P1 function on a mesh of the case's domain. fluxes: of the solution by label.
-/// Errors: ProblemError where a weight is not finite or the point lies outside of the domain. Cost: O(n).
+/// Errors: ProblemError where a weight is not finite, the point lies outside of the domain, or the flux is that into an
+/// inner line without a condition. Cost: O(n).
 double evaluate(const CaseFunctional& functional, const Mesh& mesh, std::span<const double> values,
                 const std::map<int, double>& fluxes);
 

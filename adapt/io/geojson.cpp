@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -122,29 +123,39 @@ void find_regions(const std::vector<GeoFeature>& features, Mesh& mesh) {
   }
 }
 
-/// Which sides of a mesh lie in features, and which between a feature and none.
-class SideOfFeatures {
+/// The region of a triangle, 0 in no feature and where there is no triangle.
+int region_of(const Mesh& mesh, int triangle) { return triangle < 0 ? 0 : mesh.regions[at(triangle)]; }
+
+/// Labels for the borders between features, a new one for each pair: "a|b".
+class BorderLabels {
  public:
-  explicit SideOfFeatures(const Mesh& mesh) : mesh_(mesh) {}
-  bool is_inside(int triangle) const { return triangle >= 0 && mesh_.regions[at(triangle)] != 0; }
-  bool touches(const MeshSide& side) const { return is_inside(side.left) || is_inside(side.right); }
-  bool bounds(const MeshSide& side) const { return is_inside(side.left) != is_inside(side.right); }
+  explicit BorderLabels(LabelNames& names) : names_(names) {}
+
+  int between(int a, int b) {
+    const auto [low, high] = std::minmax(a, b);
+    const auto [entry, is_new] = labels_.try_emplace({low, high}, names_.rbegin()->first + 1);
+    if (is_new) names_[entry->second] = names_.at(low) + "|" + names_.at(high);
+    return entry->second;
+  }
 
  private:
-  const Mesh& mesh_;
+  LabelNames& names_;
+  std::map<std::pair<int, int>, int> labels_;
 };
 
-/// Triangles in no feature, and the edges between them.
+/// Drops triangles in no feature, and edges that bound none.
 void drop_outside(Mesh& mesh) {
-  const SideOfFeatures features(mesh);
+  BorderLabels borders(mesh.label_names);
   Mesh kept;
   for (const MeshSide& side : sides_of(mesh)) {
-    if (side.edge < 0 || !features.touches(side)) continue;
+    const int left = region_of(mesh, side.left), right = region_of(mesh, side.right);
+    if (side.edge < 0 || left == right) continue;
     kept.edges.push_back(mesh.edges[at(side.edge)]);
-    kept.labels.push_back(mesh.labels[at(side.edge)]);
+    const bool is_border = left != 0 && right != 0;
+    kept.labels.push_back(is_border ? borders.between(left, right) : mesh.labels[at(side.edge)]);
   }
   for (int t = 0; t < mesh.num_triangles(); ++t) {
-    if (!features.is_inside(t)) continue;
+    if (region_of(mesh, t) == 0) continue;
     kept.triangles.push_back(mesh.triangles[at(t)]);
     kept.regions.push_back(mesh.regions[at(t)]);
   }
@@ -156,9 +167,9 @@ void drop_outside(Mesh& mesh) {
 
 /// Whether rings of one feature run together: then segments alone do not tell what an odd number of rings enclose.
 bool has_shared_sides(const Mesh& mesh) {
-  const SideOfFeatures feature(mesh);
-  return std::ranges::any_of(sides_of(mesh),
-                             [&](const MeshSide& side) { return side.edge >= 0 && !feature.bounds(side); });
+  return std::ranges::any_of(sides_of(mesh), [&](const MeshSide& side) {
+    return side.edge >= 0 && region_of(mesh, side.left) == region_of(mesh, side.right);
+  });
 }
 
 /// What the rings enclose, triangulated, each part with the feature that it is in or 0.

@@ -6,6 +6,8 @@
 #include "adapt/case.h"
 #include "adapt/shapes.h"
 #include "case_support.h"
+#include "fem/solve.h"
+#include "mesher/delaunay_mesh.h"
 #include "tests/support/temporary_folder.h"
 
 namespace parmesan {
@@ -228,6 +230,35 @@ TEST_CASE("A geometry file is read from beside the case", "[adapt][case]") {
   CHECK(c.domain.label_names.at(9) == "west");
   CHECK(c.problem.boundary.contains(5));
   CHECK(c.problem.boundary.contains(9));
+}
+
+TEST_CASE("in a file, too, * stands for the sides of the domain, not for lines between regions", "[adapt][case]") {
+  // Region 1 with x < 1, region 2 beyond; bottom and top have the label 3. The border has no edge, one without a
+  // label, one with that of the top, or one with a label of its own.
+  const std::string border = GENERATE("", "2 5 0\n", "2 5 3\n", "2 5 4\n");
+  const TemporaryFolder folder;
+  folder.write("two.mesh",
+               "MeshVersionFormatted 2\nDimension 2\nVertices 6\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n"
+               "Triangles 4\n1 2 5 1\n1 5 4 1\n2 3 6 2\n2 6 5 2\n"
+               "Edges " +
+                   std::string(border.empty() ? "6" : "7") + "\n1 2 3\n2 3 3\n3 6 2\n6 5 3\n5 4 3\n4 1 1\n" + border +
+                   "End\n");
+  const auto value_on_border = [&](const std::string& boundary) {
+    const Case c = parse_case(R"({"geometry": {"file": "two.mesh", "points": [[1, 0.5]]},
+        "problem": {"diffusion": {"1": 40, "2": 1}, "boundary": {)" +
+                                  boundary + "}}}",
+                              folder / "case.json");
+    const Mesh mesh = delaunay_mesh(c.domain).mesh;
+    const std::vector<double> u = solve(mesh, c.problem).values;
+    for (std::size_t v = 0; v < u.size(); ++v)
+      if (mesh.points[v] == Point{1, 0.5}) return u[v];
+    return std::nan("");
+  };
+  const std::string ends = R"("1": {"dirichlet": 1}, "2": {"dirichlet": 0}, )";
+  // 40 (1 - u) = u
+  CHECK(value_on_border(ends + R"("*": {"neumann": 0})") == Approx(40.0 / 41).epsilon(1e-12));
+  CHECK(value_on_border(R"case("*": {"dirichlet": "x*(2 - x)"})case") < 0.9);  // 1 if it were held
+  if (border == "2 5 4\n") CHECK(value_on_border(ends + R"("4": {"dirichlet": 7}, "*": {"neumann": 0})") == 7.0);
 }
 
 TEST_CASE("A case cannot name files elsewhere or that are not files", "[adapt][case][errors]") {

@@ -84,6 +84,31 @@ TEST_CASE("Where features overlap the smallest counts", "[adapt][io][geojson]") 
   CHECK(area_within(mesh, inner_first ? 2 : 1) == Approx(15.0).epsilon(1e-14));
 }
 
+TEST_CASE("A border between two features has a name of its own, that of a feature is for its outer sides",
+          "[adapt][io][geojson]") {
+  const std::string left = feature("left", polygon("[[0,0],[1,0],[1,2],[0,2],[0,0]]"));
+  const std::string right = feature("right", polygon("[[1,0],[3,0],[3,2],[1,2],[1,0]]"));
+  const Domain domain = parse(collection(left + "," + right));
+  for (const parmesan::Segment& s : domain.segments) {
+    const auto x = [&](int p) { return domain.points[static_cast<std::size_t>(p)].x; };
+    const bool is_border = x(s.a) == 1.0 && x(s.b) == 1.0;
+    CHECK((parmesan::label_name(domain.label_names, s.label) == "left|right") == is_border);
+  }
+}
+
+TEST_CASE("Rings of one feature that run together leave no side inside of it", "[adapt][io][geojson]") {
+  const std::string cells =
+      R"({"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[1,1],[0,1],[0,0]]],[[[1,0],[2,0],[2,1],[1,1],[1,0]]]]})";
+  const std::string far = feature("far", polygon("[[5,0],[6,0],[6,1],[5,1],[5,0]]"));
+  for (const std::string& text : {cells, collection(feature("cells", cells) + "," + far)}) {
+    const Domain domain = parse(text);
+    for (const parmesan::Segment& s : domain.segments) {
+      const auto x = [&](int p) { return domain.points[static_cast<std::size_t>(p)].x; };
+      CHECK_FALSE((x(s.a) == 1.0 && x(s.b) == 1.0));
+    }
+  }
+}
+
 TEST_CASE("Features whose rings cross are refused, or split there", "[adapt][io][geojson]") {
   const std::string shifted = feature("shifted", polygon("[[3,3],[6,3],[6,6],[3,6],[3,3]]"));
   const std::string text = collection(feature("first", polygon(square)) + "," + shifted);
