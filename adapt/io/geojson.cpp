@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
-#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,9 +12,11 @@
 #include "mesher/delaunay_mesh.h"
 #include "mesher/disjoint_sets.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/geometry/even_odd.h"
+#include "mesher/geometry/hilbert.h"
 #include "mesher/index.h"
 #include "mesher/io/text.h"
 #include "mesher/mesh_sides.h"
@@ -70,22 +73,59 @@ double doubled_area(const GeoFeature& feature) {
   return sum;
 }
 
-/// The regions 1, 2, ... of the features, the smallest first.
-std::vector<int> by_area(const std::vector<GeoFeature>& features) {
-  std::vector<double> areas;
-  areas.reserve(features.size());
-  for (const GeoFeature& feature : features) areas.push_back(doubled_area(feature));
-  std::vector<int> regions(features.size());
-  std::iota(regions.begin(), regions.end(), 1);
-  std::ranges::stable_sort(regions, {}, [&areas](int region) { return areas[at(region - 1)]; });
-  return regions;
+BoxTree::Box box_around(const GeoFeature& feature) {
+  BoxTree::Box box;
+  for (const GeoPolygon& polygon : feature.polygons)
+    for (const GeoRing& ring : polygon)
+      for (const Point& p : ring) box.add(p);
+  return box;
 }
 
-/// The first of the regions that a point is in, 0 outside of all.
-int region_at(const std::vector<GeoFeature>& features, const std::vector<int>& regions, const Point& p) {
-  const auto found = std::ranges::find_if(regions, [&](int region) { return encloses(features[at(region - 1)], p); });
-  return found == regions.end() ? 0 : *found;
+/// A feature, by its number, and how large it is.
+struct SizedFeature {
+  double area = 0.0;
+  int number = 0;
+  auto operator<=>(const SizedFeature&) const = default;
+};
+
+/// The features in the order of a Hilbert curve.
+std::vector<SizedFeature> in_local_order(const std::vector<GeoFeature>& features) {
+  std::vector<Point> centres;
+  centres.reserve(features.size());
+  for (const GeoFeature& feature : features) {
+    const BoxTree::Box box = box_around(feature);
+    centres.push_back(midpoint(box.low, box.high));
+  }
+  std::vector<SizedFeature> sized;
+  sized.reserve(features.size());
+  for (const int i : hilbert_order(centres)) sized.push_back({doubled_area(features[at(i)]), i});
+  return sized;
 }
+
+/// Finds the smallest feature around a point, of several the first. Cost: O(log n) expected where few overlap.
+class FeatureFinder {
+ public:
+  explicit FeatureFinder(const std::vector<GeoFeature>& features)
+      : features_(features),
+        sized_(in_local_order(features)),
+        boxes_(sized_.size(), [&](std::size_t i) { return box_around(features[at(sized_[i].number)]); }) {}
+
+  /// The number of its region, 1, 2, ...; 0 outside of all.
+  int region_at(const Point& p) const {
+    std::optional<SizedFeature> smallest;
+    const auto may_hold = [&p](const BoxTree::Box& box) { return box.squared_distance(p) == 0.0; };
+    boxes_.for_each_in(may_hold, [&](std::size_t i) {
+      const SizedFeature& feature = sized_[i];
+      if ((!smallest || feature < *smallest) && encloses(features_[at(feature.number)], p)) smallest = feature;
+    });
+    return smallest ? smallest->number + 1 : 0;
+  }
+
+ private:
+  const std::vector<GeoFeature>& features_;
+  std::vector<SizedFeature> sized_;
+  BoxTree boxes_;
+};
 
 /// The first triangle of the part, bounded by edges, to which each triangle belongs.
 std::vector<int> parts_of(const Mesh& mesh) {
@@ -116,9 +156,9 @@ void find_regions(const std::vector<GeoFeature>& features, Mesh& mesh) {
     int& champion = largest[at(part[at(t)])];
     if (area_of(mesh, t) > area_of(mesh, champion)) champion = t;
   }
-  const std::vector<int> regions = by_area(features);
+  const FeatureFinder finder(features);
   for (int t = 0; t < mesh.num_triangles(); ++t) {
-    if (part[at(t)] == t) mesh.regions[at(t)] = region_at(features, regions, centroid_of(mesh, largest[at(t)]));
+    if (part[at(t)] == t) mesh.regions[at(t)] = finder.region_at(centroid_of(mesh, largest[at(t)]));
     mesh.regions[at(t)] = mesh.regions[at(part[at(t)])];
   }
 }
