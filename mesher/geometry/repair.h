@@ -63,6 +63,8 @@ void check_input(const Domain& domain);
 
 /// Equal points, and those nearer than the domain's tolerance, become the first of them, and points near the end of a
 /// curve to rounding become that; the order of the others stays.
+/// Errors: GeometryError for a seed of a hole or region that is nearer than the tolerance to a straight segment, once
+/// points are merged by it.
 DomainRepair merge_points(const Domain& domain);
 
 /// Splits curved segments in the middle if they end where they begin, at kinks, and at points on them.

@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "mesher/errors.h"
 #include "mesher/geometry/first_equal.h"
 #include "mesher/geometry/kept_points.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/rounding.h"
+#include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -55,6 +59,21 @@ std::vector<int> first_but_for_rounding(const Domain& domain) {
   return result;
 }
 
+/// The faces of seeds this near to a segment may have closed: holes would take away, and regions cover, what is around
+/// them.
+void refuse_seeds_near_segments(const Domain& domain, double tolerance) {
+  const SegmentTree segments(domain);
+  const auto refuse_near = [&](const Point& seed, const char* what) {
+    const NearestSegment nearest = segments.nearest(seed, [&](int s) { return domain.segments[at(s)].is_straight(); });
+    if (nearest.distance < tolerance)
+      throw GeometryError(std::string("the point of a ") + what + " at " + text(seed) + " is " +
+                          text(nearest.distance) + " from a segment, less than the merge tolerance " + text(tolerance) +
+                          ": what it lies in may have closed");
+  };
+  for (const Point& hole : domain.holes) refuse_near(hole, "hole");
+  for (const RegionSeed& region : domain.regions) refuse_near(region.point, "region");
+}
+
 }  // namespace
 
 DomainRepair merge_points(const Domain& domain) {
@@ -82,6 +101,7 @@ DomainRepair merge_points(const Domain& domain) {
   for (int& v : repair.domain.required_points) v = new_number(v);
   for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) repair.segment_sources.push_back({s});
   const std::string near = "by the tolerance " + text(domain.merge_tolerance) + " merged";
+  if (by_tolerance && !merged.empty()) refuse_seeds_near_segments(repair.domain, domain.merge_tolerance);
   repair.note(by_tolerance ? near : "merged", by_tolerance ? "point" : "duplicate point", merged);
   return repair;
 }

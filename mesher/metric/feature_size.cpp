@@ -143,7 +143,7 @@ void Sampler::sample(int segment, double from, double to) {
   const double length = (to - from) * norm(b - a);
   const double apart = std::min(std::max(feature_size, h_min_ / fraction_), 4.0 * h_max_);
   if (halvings_ > most_halvings || length <= apart) return;
-  if (length <= h_max_ / fraction_) ++halvings_;  // others are owed to h_max
+  if (length <= std::min(h_max_ / fraction_, 4.0 * h_max_)) ++halvings_;  // others are owed to h_max
   sample(segment, from, middle);
   sample(segment, middle, to);
 }

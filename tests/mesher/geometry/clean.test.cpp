@@ -102,6 +102,26 @@ TEST_CASE("clean keeps points one ulp apart and notes it", "[mesher][domain]") {
   CHECK_THAT(all_repairs(cleaned), Contains("kept points 1 and 2 apart") && Contains("resolution"));
 }
 
+TEST_CASE("a hole or region that may close when points are merged is refused, others are not",
+          "[mesher][domain][errors]") {
+  Domain plate = closed_polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+  const Domain slot = closed_polygon({{1.3, 0.5}, {1.7, 0.5}, {1.7, 0.504}, {1.3, 0.504}});
+  const int first = static_cast<int>(plate.points.size());
+  for (const Segment& s : slot.segments) plate.segments.push_back(piece_of(s, first + s.a, first + s.b));
+  plate.points.insert(plate.points.end(), slot.points.begin(), slot.points.end());
+  plate.holes = {{1.5, 0.502}};
+  plate.merge_tolerance = 0.01;
+  CHECK_THAT(error_of(plate), Contains("the point of a hole at (1.5, 0.502)") && Contains("may have closed"));
+  plate.regions = {{plate.holes.front(), 1}};
+  plate.holes.clear();
+  CHECK_THAT(error_of(plate), Contains("the point of a region at (1.5, 0.502)"));
+  plate.merge_tolerance = 0.001;  // merges nothing
+  CHECK(clean(plate).domain.points.size() == 8);
+  plate.points.push_back({0.5, 0.5});
+  plate.points.push_back({0.5, 0.5005});
+  CHECK(clean(plate).domain.points.size() == 9);
+}
+
 TEST_CASE("clean merges points nearer than the tolerance, and those it keeps are as far apart", "[mesher][domain]") {
   Domain slit = closed_polygon({{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0.5, 1 + 1e-6}, {0.5 + 1e-6, 1}, {0, 1}});
   slit.merge_tolerance = 1e-5;

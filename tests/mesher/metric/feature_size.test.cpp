@@ -27,6 +27,13 @@ TEST_CASE("in a slit the size is half its height, elsewhere it is larger", "[mes
   CHECK(size_at(field, {1, 1}) > 0.25);
 }
 
+TEST_CASE("a small part of the feature size with a much smaller largest size comes to an end", "[mesher][metric]") {
+  Domain square;
+  support::add_polygon(square, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
+  const BackgroundMesh field = feature_size_field(square, {.fraction = 0.1, .h_max = 1.5e-5}).sizes;
+  CHECK(size_at(field, {0.5, 0.5}) <= 1.501e-5);
+}
+
 TEST_CASE("sizes scale with the domain and do not depend on its place", "[mesher][metric]") {
   const Domain domain = support::square_with_everything();
   Domain other = domain;
