@@ -77,11 +77,19 @@ class ChainJoiner {
   std::vector<Segment> run() {
     std::vector<Segment> segments;
     std::vector<bool> is_done(constraints_.size(), false);
-    for (int c = 0; c < static_cast<int>(constraints_.size()); ++c) {
-      if (is_done[at(c)] || !(is_corner(constraint(c).a) || is_corner(constraint(c).b))) continue;
+    const auto take_chain_of = [&](int c) {
       const std::vector<int> chain = chain_from(c, is_corner(constraint(c).a));
       for (const int k : chain) is_done[at(k)] = true;
       append(chain, &segments);
+    };
+    const int n = static_cast<int>(constraints_.size());
+    for (int c = 0; c < n; ++c)
+      if (!is_done[at(c)] && (is_corner(constraint(c).a) || is_corner(constraint(c).b))) take_chain_of(c);
+    // What is left are loops so small, where coordinates are large, that each of their vertices passes for straight.
+    for (int c = 0; c < n; ++c) {
+      if (is_done[at(c)]) continue;
+      is_corner_[at(constraint(c).a)] = true;
+      take_chain_of(c);
     }
     return segments;
   }
@@ -132,7 +140,7 @@ class ChainJoiner {
   /// One segment for the chain, or one for each of its constraints when together they bend.
   void append(const std::vector<int>& chain, std::vector<Segment>* segments) {
     const auto [a, b] = ends(chain);
-    bool is_straight = true;
+    bool is_straight = a != b;
     for (const int c : chain) {
       is_straight = is_straight && is_near_line(point(constraint(c).a), point(a), point(b)) &&
                     is_near_line(point(constraint(c).b), point(a), point(b));

@@ -77,6 +77,28 @@ Mesh rotated(Mesh mesh, double angle) {
 
 }  // namespace
 
+TEST_CASE("a loop without corners is kept edge by edge", "[mesher][domain]") {
+  // Micrometres at coordinates of a map: a vertex is off the line of its neighbours by less than rounding.
+  constexpr int n = 64;
+  constexpr double full_turn = 6.283185307179586;
+  const Point centre{500'000.0, 5'400'000.0};
+  Mesh disc;
+  disc.points.push_back(centre);
+  for (int i = 0; i < n; ++i) {
+    const double angle = full_turn * i / n;
+    disc.points.push_back(centre + 1.5e-6 * Vector{std::cos(angle), std::sin(angle)});
+    disc.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+    disc.edges.push_back({1 + i, 1 + (i + 1) % n});
+  }
+  disc.regions.assign(n, 0);
+  disc.labels.assign(n, 3);
+  SECTION("nor any that is required") {}
+  SECTION("but for one") { disc.required.vertices = {7}; }
+  const Domain domain = domain_of(disc);
+  CHECK(domain.segments.size() == n);
+  for (const Segment& s : domain.segments) CHECK((s.a != s.b && s.label == 3));
+}
+
 TEST_CASE("domain_of a square's mesh is the square", "[mesher][domain]") {
   const Domain domain = domain_of(support::rectangle_mesh(6, 4));
   CHECK(domain.points == std::vector<Point>{{0, 0}, {1, 0}, {0, 1}, {1, 1}});
