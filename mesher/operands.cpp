@@ -1,6 +1,7 @@
 #include "mesher/operands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -82,12 +83,13 @@ bool split_at_near_points(Operands& operands, double tolerance) {
   bool any = false;
   for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) {
     if (is_end[at(v)] == 0) continue;
-    const NearestSegment found = tree.nearest(domain.points[at(v)], [&](int s) {
+    const auto may_be_split = [&](int s) {
       const Segment& segment = domain.segments[at(s)];
       return segment.is_straight() && segment.a != v && segment.b != v;
-    });
-    if (found.segment < 0 || found.distance > tolerance) continue;
-    on[at(found.segment)].push_back(v);
+    };
+    const int found = tree.nearest(domain.points[at(v)], may_be_split, std::nextafter(tolerance, HUGE_VAL)).segment;
+    if (found < 0) continue;
+    on[at(found)].push_back(v);
     any = true;
   }
   if (!any) return false;

@@ -25,10 +25,11 @@ class SegmentTree {
  public:
   explicit SegmentTree(const Domain& domain);
 
-  /// The nearest segment s for which accepts(s) is true.
+  /// The nearest segment s for which accepts(s) is true, nearer than a distance.
   template <class Accepts>
-  NearestSegment nearest(const Point& p, Accepts accepts) const {
+  NearestSegment nearest(const Point& p, Accepts accepts, double nearer_than = HUGE_VAL) const {
     NearestSegment best;
+    best.distance = nearer_than;
     if (!nodes_.empty()) search(0, p, accepts, best);
     return best;
   }
