@@ -61,8 +61,8 @@ struct Solution {
 /// from one. The result has the same bits for any number of threads.
 ///
 /// Where the problem asks for it, the values are corrected (defect_correction.h): their error becomes about that of the
-/// interpolant. They stay Galerkin's where the last step changes the correction by more than a third, and where
-/// discontinuities are captured: it would undo that.
+/// interpolant, and they keep within the bounds of the maximum principle where it gives some. They stay Galerkin's
+/// where the steps do not converge, and where discontinuities are captured: it would undo that.
 ///
 /// Discontinuity capturing makes the problem nonlinear: it is solved again, at most 20 times, until the solution
 /// changes by less than capturing_tolerance; the report has what was reached.
