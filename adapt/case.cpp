@@ -10,6 +10,7 @@
 #include "adapt/expression_lexer.h"
 #include "adapt/expression_names.h"
 #include "adapt/json_text.h"
+#include "adapt/places_at_curves.h"
 #include "adapt/schema_check.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/io/text.h"
@@ -122,6 +123,7 @@ Case parse_unclean(const std::string& text, const std::string& file, const std::
   }
   read_problem_section(reading, geometry ? &*geometry : nullptr, result);
   read_functionals_section(reading, geometry ? &*geometry : nullptr, result);
+  keep_places_at_curves(result);
   read_option_sections(reading, result);
   refuse_infinite_errors(reading, result);
   if (!reading.issues.empty()) {

@@ -108,6 +108,17 @@ int make_point(DomainRepair& repair, Places& points, const Point& p) {
   return static_cast<int>(repair.domain.points.size()) - 1;
 }
 
+void refuse_one_place(const DomainRepair& repair, const Segment& s, const std::vector<Cut>& cuts) {
+  const Curve& curve = curve_of(repair, s);
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    if (curve.at(cuts[i - 1].t) != curve.at(cuts[i].t)) continue;
+    throw GeometryError("the points " + repair.point_text(cuts[i - 1].point) + " and " +
+                            repair.point_text(cuts[i].point) +
+                            " are at the same place of a curve; give one of them, or a merge tolerance that makes them one",
+                        {repair.source_point(cuts[i - 1].point), repair.source_point(cuts[i].point)});
+  }
+}
+
 // Kinks, points, and the middle of a closed curve that has none of them. A kink at an end is where the curve was cut.
 std::vector<Cut> cuts_of(DomainRepair& repair, Places& points, const Segment& s) {
   std::vector<Cut> cuts = cuts_at_points(repair, points, s);
@@ -121,6 +132,7 @@ std::vector<Cut> cuts_of(DomainRepair& repair, Places& points, const Segment& s)
   }
   if (s.a == s.b && cuts.empty()) cuts.push_back({0.5, make_point(repair, points, curve.at(0.5))});
   std::sort(cuts.begin(), cuts.end(), [](const Cut& c, const Cut& d) { return c.t < d.t; });
+  refuse_one_place(repair, s, cuts);
   return cuts;
 }
 

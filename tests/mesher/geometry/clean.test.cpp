@@ -359,3 +359,11 @@ TEST_CASE("clean applied twice changes nothing more where it cut curves", "[mesh
   CHECK(twice.points == once.points);
   CHECK(twice.segments.size() == once.segments.size());
 }
+
+TEST_CASE("two points at one place of a curve are refused by name, or merged", "[mesher][domain][curves][errors]") {
+  Domain domain = support::disc(1.0);
+  domain.points.insert(domain.points.end(), {{0.0, 1.0}, {1e-16, 1.0}});
+  CHECK_THROWS_WITH(clean(domain), Catch::StartsWith("the points 1 and 2 are at the same place of a curve"));
+  domain.merge_tolerance = 1e-9;
+  CHECK(clean(domain).domain.points.size() == 2);
+}
