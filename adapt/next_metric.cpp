@@ -40,7 +40,7 @@ std::vector<SymmetricTensor> NextMetric::influence_at(const Case& input, const M
   const double left = input.problem.correct_defect ? left_by_correction : 1.0;
   std::vector<SymmetricTensor> result;
   result.reserve(mesh.points.size());
-  MetricHint hint;
+  MetricHint hint = -1;
   for (const Point& p : mesh.points) result.push_back(left * influence_->at(p, hint));
   return result;
 }

@@ -82,7 +82,7 @@ int side_to_cross(const std::array<double, 3>& w, const std::array<int, 3>& neig
 // hence the cap.
 TensorInterpolant::Location TensorInterpolant::locate(const Point& p, int start) const {
   constexpr int max_steps = 2000;
-  constexpr double slack = 1e-3;  // how far outside of a boundary edge p may lie, in barycentric coordinates
+  constexpr double rounding = 1e-9;  // in barycentric coordinates, of p on a boundary edge
   int triangle = start;
   for (int step = 0; step < max_steps; ++step) {
     const auto& [corners, neighbors] = triangles_[static_cast<std::size_t>(triangle)];
@@ -98,7 +98,7 @@ TensorInterpolant::Location TensorInterpolant::locate(const Point& p, int start)
     const int out = side_to_cross(w, neighbors, tolerance);
     if (out < 0) {
       const std::array<double, 3> weights{w[0] / area, w[1] / area, w[2] / area};
-      if (std::min({weights[0], weights[1], weights[2]}) < -slack) return {};
+      if (std::min({weights[0], weights[1], weights[2]}) < -rounding) return {};
       return {triangle, clamped(weights)};
     }
     triangle = neighbors[static_cast<std::size_t>(out)];
