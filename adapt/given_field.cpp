@@ -15,12 +15,12 @@ class Lookup {
   explicit Lookup(std::shared_ptr<const GivenField> field) : field_(std::move(field)), walk_(field_->mesh) {}
 
   double value(const Point& p) {
-    const MeshPlace place = walk_.locate(p);
+    const MeshPlace place = walk_.locate(p, triangle_);
     return p1_value(place.weights, values_at_corners(place.triangle));
   }
 
   Vector gradient(const Point& p) {
-    const std::size_t triangle = walk_.locate(p).triangle;
+    const std::size_t triangle = walk_.locate(p, triangle_).triangle;
     return p1_gradient(p1_element(field_->mesh, static_cast<int>(triangle)), values_at_corners(triangle));
   }
 
@@ -31,6 +31,7 @@ class Lookup {
 
   std::shared_ptr<const GivenField> field_;
   MeshWalk walk_;
+  std::size_t triangle_ = 0;
 };
 
 }  // namespace
@@ -43,14 +44,15 @@ ExactFunction function_of(const std::shared_ptr<const GivenField>& field) {
 
 std::optional<std::string> warn_beyond(const GivenField& field, const Mesh& mesh) {
   constexpr double much = 1e-3;
-  MeshWalk walk(field.mesh);
+  const MeshWalk walk(field.mesh);
+  std::size_t triangle = 0;
   double farthest = 0.0;
   Point where;
   for (const Point& p : mesh.points) {
-    const auto [triangle, weights] = walk.locate(p);
+    const MeshPlace place = walk.locate(p, triangle);
     Point nearest;
     for (std::size_t k = 0; k < 3; ++k)
-      nearest = nearest + weights[k] * field.mesh.points[at(field.mesh.triangles[triangle][k])];
+      nearest = nearest + place.weights[k] * field.mesh.points[at(field.mesh.triangles[place.triangle][k])];
     if (norm(p - nearest) <= farthest) continue;
     farthest = norm(p - nearest);
     where = p;

@@ -1,5 +1,11 @@
 # tests/fuzz/NAME.cpp becomes fuzz_NAME; the target `fuzzers` builds them all.
 add_custom_target(fuzzers)
+
+# Fuzzers follow what the modules do that read files. Of the mesher, whose loops the tests of this build run for minutes,
+# only which edges are taken, not what is compared.
+target_compile_options(parmesan_mesher PRIVATE -fsanitize=fuzzer-no-link -fno-sanitize-coverage=trace-cmp)
+target_compile_options(parmesan_adapt PRIVATE -fsanitize=fuzzer-no-link)
+
 parmesan_sources(fuzz_sources tests/fuzz/*.cpp)
 foreach(source IN LISTS fuzz_sources)
   get_filename_component(name ${source} NAME_WE)

@@ -10,6 +10,7 @@
 #include "mesher/constraint_map.h"
 #include "mesher/index.h"
 #include "mesher/metric/metric_length.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 namespace {
@@ -30,54 +31,70 @@ struct Suspects {
 // the same lengths, its quality in their mean metric is near the one meant.
 class Search {
  public:
-  Search(const Mesh& mesh, std::span<const Metric> metrics) : mesh_(mesh), metrics_(metrics) {
-    found_.at_jump.assign(mesh.points.size(), false);
-  }
+  Search(const Mesh& mesh, std::span<const Metric> metrics) : mesh_(mesh), metrics_(metrics) {}
 
-  Suspects run() {
-    for (int t = 0; t < mesh_.num_triangles(); ++t)
-      if (looks_poor(t)) found_.triangles.push_back(t);
-    std::sort(found_.edges.begin(), found_.edges.end());
-    found_.edges.erase(std::unique(found_.edges.begin(), found_.edges.end()), found_.edges.end());
-    spread_jumps();
-    return std::move(found_);
+  Suspects run() const {
+    const Ranges ranges(mesh_.triangles.size());
+    std::vector<Found> found(at(ranges.count()));
+    parallel_for(ranges.count(), [&](int range) {
+      for (std::size_t t = ranges.first(range); t < ranges.last(range); ++t) look_at(t, found[at(range)]);
+    });
+    Suspects all{.edges = {}, .triangles = {}, .at_jump = std::vector<bool>(mesh_.points.size(), false)};
+    for (const Found& part : found) {
+      all.edges.insert(all.edges.end(), part.edges.begin(), part.edges.end());
+      all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
+      for (const int t : part.jumps)
+        for (const int v : mesh_.triangles[at(t)]) all.at_jump[at(v)] = true;
+    }
+    std::sort(all.edges.begin(), all.edges.end());
+    all.edges.erase(std::unique(all.edges.begin(), all.edges.end()), all.edges.end());
+    spread_jumps(all);
+    return all;
   }
 
  private:
-  bool looks_poor(int t) {
+  /// In a part of the triangles.
+  struct Found {
+    std::vector<Edge> edges;
+    std::vector<int> triangles;
+    std::vector<int> jumps;  // triangles where the metric jumps
+  };
+
+  void look_at(std::size_t t, Found& found) const {
     constexpr double suspicious = 0.5;
     constexpr double uneven = 2.0 * 2.0;
     constexpr double jump = 3.0 * 3.0;
-    const auto& [a, b, c] = mesh_.triangles[at(t)];
-    const double change = std::max({change_along(a, b, c), change_along(b, c, a), change_along(c, a, b)});
-    if (change > jump) found_.at_jump[at(a)] = found_.at_jump[at(b)] = found_.at_jump[at(c)] = true;
+    const auto& [a, b, c] = mesh_.triangles[t];
+    const double change =
+        std::max({change_along(a, b, c, found), change_along(b, c, a, found), change_along(c, a, b, found)});
+    if (change > jump) found.jumps.push_back(static_cast<int>(t));
     const Metric m = mean(metrics_[at(a)], metrics_[at(b)], metrics_[at(c)]);
-    return change > uneven || mean_ratio(mesh_.points[at(a)], mesh_.points[at(b)], mesh_.points[at(c)], m) < suspicious;
+    if (change > uneven || mean_ratio(mesh_.points[at(a)], mesh_.points[at(b)], mesh_.points[at(c)], m) < suspicious)
+      found.triangles.push_back(static_cast<int>(t));
   }
 
   // The ratio of the squared lengths that the three vertices of a triangle see of the side from a to b.
-  double change_along(int a, int b, int apex) {
+  double change_along(int a, int b, int apex, Found& found) const {
     const Vector d = mesh_.points[at(b)] - mesh_.points[at(a)];
     const double from_a = metrics_[at(a)].squared_length(d);
     const double from_b = metrics_[at(b)].squared_length(d);
     const double from_apex = metrics_[at(apex)].squared_length(d);
-    if (from_a + from_b > 4.0 || from_a * from_b < 0.25) found_.edges.push_back({std::min(a, b), std::max(a, b)});
+    if (from_a + from_b > 4.0 || from_a * from_b < 0.25) found.edges.push_back({std::min(a, b), std::max(a, b)});
     return std::max({from_a, from_b, from_apex}) / std::min({from_a, from_b, from_apex});
   }
 
   // A jump puts the elements next to it out of range as well.
-  void spread_jumps() {
+  static void spread_jumps(Suspects& all) {
     constexpr int reach = 4;  // edges
     for (int i = 0; i < reach; ++i) {
-      const std::vector<bool> before = found_.at_jump;
-      for (const auto& [a, b] : found_.edges)
-        if (before[at(a)] || before[at(b)]) found_.at_jump[at(a)] = found_.at_jump[at(b)] = true;
+      const std::vector<bool> before = all.at_jump;
+      for (const auto& [a, b] : all.edges)
+        if (before[at(a)] || before[at(b)]) all.at_jump[at(a)] = all.at_jump[at(b)] = true;
     }
   }
 
   const Mesh& mesh_;
   std::span<const Metric> metrics_;
-  Suspects found_;
 };
 
 /// Adds up the misfits of one kind by their reasons.

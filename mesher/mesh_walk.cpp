@@ -9,6 +9,7 @@
 #include "mesher/triangulation/neighbors.h"
 
 namespace parmesan {
+
 MeshWalk::MeshWalk(const Mesh& mesh)
     : mesh_(mesh),
       neighbors_(has_cracks(mesh) ? triangle_neighbors(close_cracks(mesh).mesh) : triangle_neighbors(mesh)) {
@@ -20,16 +21,18 @@ MeshWalk::MeshWalk(const Mesh& mesh)
   });
 }
 
-MeshPlace MeshWalk::locate(const Point& p) {
-  if (!walk(p)) here_ = nearest(p);
-  return here_;
+MeshPlace MeshWalk::locate(const Point& p, std::size_t& triangle) const {
+  if (const auto place = walk(p, triangle)) return *place;
+  const MeshPlace place = nearest(p);
+  triangle = place.triangle;
+  return place;
 }
 
-std::optional<MeshPlace> MeshWalk::find(const Point& p) {
-  if (walk(p)) return here_;
-  const MeshPlace place = nearest(p);
-  here_ = {place.triangle, barycentric(corners(place.triangle), p)};
-  return *std::ranges::min_element(here_.weights) >= -slack ? std::optional(here_) : std::nullopt;
+std::optional<MeshPlace> MeshWalk::find(const Point& p, std::size_t& triangle) const {
+  if (const auto place = walk(p, triangle)) return place;
+  triangle = nearest(p).triangle;
+  const MeshPlace place{triangle, barycentric(corners(triangle), p)};
+  return *std::ranges::min_element(place.weights) >= -slack ? std::optional(place) : std::nullopt;
 }
 
 std::array<Point, 3> MeshWalk::corners(std::size_t triangle) const {
@@ -38,17 +41,17 @@ std::array<Point, 3> MeshWalk::corners(std::size_t triangle) const {
 }
 
 // Leaves through the side that has p farthest behind it; may cycle or end at the boundary.
-bool MeshWalk::walk(const Point& p) {
+std::optional<MeshPlace> MeshWalk::walk(const Point& p, std::size_t& triangle) const {
   constexpr int max_steps = 5000;
   for (int step = 0; step < max_steps; ++step) {
-    here_.weights = barycentric(corners(here_.triangle), p);
-    const auto worst = std::ranges::min_element(here_.weights);
-    if (*worst >= -slack) return true;
-    const int next = neighbors_[here_.triangle][static_cast<std::size_t>(worst - here_.weights.begin())];
-    if (next < 0) return false;
-    here_.triangle = static_cast<std::size_t>(next);
+    const std::array<double, 3> weights = barycentric(corners(triangle), p);
+    const auto worst = std::ranges::min_element(weights);
+    if (*worst >= -slack) return MeshPlace{triangle, weights};
+    const int next = neighbors_[triangle][static_cast<std::size_t>(worst - weights.begin())];
+    if (next < 0) return std::nullopt;
+    triangle = static_cast<std::size_t>(next);
   }
-  return false;
+  return std::nullopt;
 }
 
 MeshPlace MeshWalk::nearest(const Point& p) const {

@@ -59,16 +59,18 @@ std::string_view to_string(Start start) {
 
 StartChoice choose_start(const Mesh& previous, const MetricField& field) {
   constexpr double near_enough = 0.15;
+  constexpr double as_dense = 0.05;
   if (previous.triangles.empty()) return {.reason = "the previous mesh has no triangles"};
   std::vector<double> logs = sampled_log_lengths(previous, field);
   const double mean_log = mean(logs);
   const int refinements = std::max(0, static_cast<int>(std::lround(mean_log / std::numbers::ln2)));
   for (double& log_length : logs) log_length = std::abs(log_length - refinements * std::numbers::ln2);
   const double misfit = mean(logs);
+  const double excess = mean_log - refinements * std::numbers::ln2;
   StartChoice choice;
   choice.expected_vertices = previous.num_vertices() * std::exp(2.0 * mean_log);
   choice.reason = describe(misfit, refinements);
-  if (!(misfit < near_enough)) return choice;
+  if (!(misfit < near_enough && std::abs(excess) < as_dense)) return choice;
   choice.refinements = refinements;
   choice.start = refinements > 0 ? Start::RefinedPreviousMesh : Start::PreviousMesh;
   return choice;

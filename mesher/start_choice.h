@@ -24,9 +24,10 @@ struct StartChoice {
 
 /// Is the previous mesh, perhaps red-refined, near enough to a unit mesh of the field to start from?
 ///
-/// It is when mean |ln(l / 2^k)| over its edges is under 0.15, l being their metric lengths and k the
-/// number of refinements that brings their geometric mean nearest to 1. Beyond, a start from scratch
-/// takes less time and ends at least as well (measured: see mesher/README.md).
+/// It is when mean |ln(l / 2^k)| over its edges is under 0.15, l being their metric lengths and k the number of
+/// refinements that brings their geometric mean nearest to 1, and that mean is off by less than 0.05, a tenth of the
+/// number of vertices. Beyond, a start from scratch takes less time and ends at least as well (measured: see
+/// mesher/README.md).
 /// Cost: three metrics in each of at most 1000 triangles, evenly picked.
 StartChoice choose_start(const Mesh& previous, const MetricField& field);
 

@@ -7,6 +7,7 @@
 #include "mesher/index.h"
 #include "mesher/metric/exponential_mean.h"
 #include "mesher/metric/logarithms.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 namespace {
@@ -59,22 +60,22 @@ Metric BackgroundMesh::at(const Point& p, MetricHint& hint) const { return metri
 
 std::vector<FieldSample> BackgroundMesh::samples() const {
   const std::span<const TensorInterpolant::Vertex> vertices = tensors_.vertices();
+  const std::span<const TensorInterpolant::Triangle> triangles = tensors_.triangles();
+  std::vector<double> density(vertices.size());
+  for_each_in_parallel(vertices.size(), [&](std::size_t v) { density[v] = metric_of(vertices[v].tensor).density(); });
+  std::vector<double> share(triangles.size());  // of a triangle's complexity, for each unit of density at its corners
+  for_each_in_parallel(triangles.size(), [&](std::size_t t) {
+    const auto [a, b, c] = triangles[t].corners;
+    const TensorInterpolant::Vertex &p = vertices[parmesan::at(a)], &q = vertices[parmesan::at(b)],
+                                    &r = vertices[parmesan::at(c)];
+    share[t] = 0.5 * doubled_area(p.point, q.point, r.point) * mean_density(p.tensor, q.tensor, r.tensor) /
+               (density[parmesan::at(a)] + density[parmesan::at(b)] + density[parmesan::at(c)]);
+  });
   std::vector<FieldSample> samples;
-  std::vector<double> density;
   samples.reserve(vertices.size());
-  density.reserve(vertices.size());
-  for (const TensorInterpolant::Vertex& vertex : vertices) {
-    samples.push_back({vertex.point, 0.0});
-    density.push_back(metric_of(vertex.tensor).density());
-  }
-  for (const TensorInterpolant::Triangle& triangle : tensors_.triangles()) {
-    const auto corner = [&](std::size_t k) { return static_cast<std::size_t>(triangle.corners[k]); };
-    const std::size_t a = corner(0), b = corner(1), c = corner(2);
-    const double area = 0.5 * doubled_area(vertices[a].point, vertices[b].point, vertices[c].point);
-    const double mean = mean_density(vertices[a].tensor, vertices[b].tensor, vertices[c].tensor);
-    const double share = area * mean / (density[a] + density[b] + density[c]);
-    for (const std::size_t v : {a, b, c}) samples[v].complexity += share * density[v];
-  }
+  for (const TensorInterpolant::Vertex& vertex : vertices) samples.push_back({vertex.point, 0.0});
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (const int v : triangles[t].corners) samples[parmesan::at(v)].complexity += share[t] * density[parmesan::at(v)];
   return samples;
 }
 

@@ -1,6 +1,7 @@
 #include "mesher/metric/complexity.h"
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "mesher/index.h"
@@ -72,14 +73,18 @@ std::vector<double> densities(const Mesh& mesh, const MetricField& field) {
 // Each triangle with the mean of its corners' densities.
 template <class F>
 double integrate_by_corners(const Mesh& mesh, F density) {
-  double sum = 0.0;
-  for (const auto& corners : mesh.triangles) {
-    const auto point = [&](std::size_t k) { return mesh.points[at(corners[k])]; };
-    double of_corners = 0.0;
-    for (const int v : corners) of_corners += density(static_cast<std::size_t>(v));
-    sum += doubled_area(point(0), point(1), point(2)) * of_corners / 6.0;
-  }
-  return sum;
+  const Ranges ranges(mesh.triangles.size());
+  std::vector<double> sums(at(ranges.count()), 0.0);
+  parallel_for(ranges.count(), [&](int range) {
+    for (std::size_t t = ranges.first(range); t < ranges.last(range); ++t) {
+      const auto& corners = mesh.triangles[t];
+      const auto point = [&](std::size_t k) { return mesh.points[at(corners[k])]; };
+      double of_corners = 0.0;
+      for (const int v : corners) of_corners += density(static_cast<std::size_t>(v));
+      sums[at(range)] += doubled_area(point(0), point(1), point(2)) * of_corners / 6.0;
+    }
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 }  // namespace

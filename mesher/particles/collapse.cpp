@@ -4,7 +4,7 @@ namespace parmesan {
 
 bool can_collapse(const ParticleSystem& particles, const Star& star, VertexId v, EdgeId e) {
   constexpr double min_quality_after = 0.1;  // of the triangles that it stretches
-  const double after = star.quality_after_collapse(e);
+  const double after = star.quality_after_collapse(star.index_of(e));
   if (after >= min_quality_after) return true;
   return after > 0.0 && after >= star.min_quality(particles.mesh().point(v), particles.metric(v));
 }

@@ -132,13 +132,12 @@ bool merge_if_flat(ParticleSystem& particles, VertexId v, Star& star, std::vecto
   if (best >= flat) return false;
   best *= much_better;
   EdgeId spoke = no_edge;
-  for_each_spoke(mesh, v, [&](EdgeId e) {
-    const double after = star.quality_after_collapse(e);
-    if (after > best) {
-      best = after;
-      spoke = e;
-    }
-  });
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const double after = star.quality_after_collapse(i, best);
+    if (after <= best) continue;
+    best = after;
+    spoke = star.spoke(i).edge;
+  }
   if (spoke == no_edge) return false;
   const VertexId neighbour = mesh.dest(spoke);
   mesh.collapse(spoke);

@@ -11,6 +11,7 @@
 #include "mesher/index.h"
 #include "mesher/mesh_walk.h"
 #include "mesher/metric/complexity.h"
+#include "mesher/parallel.h"
 #include "mesher/triangulation/conversion.h"
 #include "mesher/triangulation/delaunay.h"
 #include "mesher/triangulation/star.h"
@@ -19,10 +20,14 @@ namespace parmesan {
 namespace {
 
 std::vector<std::optional<MeshPlace>> places_in(const Mesh& mesh, const std::vector<FieldSample>& samples) {
-  MeshWalk walk(mesh);
-  std::vector<std::optional<MeshPlace>> places;
-  places.reserve(samples.size());
-  for (const FieldSample& sample : samples) places.push_back(walk.find(sample.place));
+  const MeshWalk walk(mesh);
+  const Ranges ranges(samples.size());
+  std::vector<std::optional<MeshPlace>> places(samples.size());
+  parallel_for(ranges.count(), [&](int range) {
+    std::size_t triangle = 0;
+    for (std::size_t i = ranges.first(range); i < ranges.last(range); ++i)
+      places[i] = walk.find(samples[i].place, triangle);
+  });
   return places;
 }
 

@@ -79,12 +79,17 @@ bool Star::has_quality(double at_least, const Point& p, const Metric& m) const {
   return true;
 }
 
-double Star::quality_after_collapse(EdgeId e) const {
+std::size_t Star::index_of(EdgeId spoke) const {
   std::size_t k = 0;
-  while (spokes_[k].edge != e) ++k;
+  while (spokes_[k].edge != spoke) ++k;
+  return k;
+}
+
+double Star::quality_after_collapse(std::size_t k, double bound) const {
+  const double square_of_bound = bound * bound / 12.0;
   double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < spokes_.size() && smallest >= 0.0; ++i) {
-    if (!spokes_[i].has_triangle || i == k || next(i).edge == e) continue;
+  for (std::size_t i = 0; i < spokes_.size() && smallest > square_of_bound; ++i) {
+    if (!spokes_[i].has_triangle || i == k || &next(i) == &spokes_[k]) continue;
     smallest = std::min(smallest, squared_quality(i, spokes_[k].point, spokes_[k].metric));
   }
   return std::isinf(smallest) ? -1.0 : quality_from_square(smallest);

@@ -37,9 +37,12 @@ class Star {
   /// must be positive? Three times cheaper than min_quality.
   bool has_quality(double at_least, const Point& p, const Metric& m) const;
 
-  /// Smallest mean ratio of the triangles that stay when the particle merges into the neighbour at
-  /// the end of the spoke e. Negative when none stays.
-  double quality_after_collapse(EdgeId e) const;
+  /// Smallest mean ratio of the triangles that stay when the particle merges into the neighbour at the end of spoke k.
+  /// Negative when none stays; one that is not above the bound, 0 or more, ends the search.
+  double quality_after_collapse(std::size_t k, double bound = 0.0) const;
+
+  /// The number of a spoke.
+  std::size_t index_of(EdgeId spoke) const;
 
   /// Do the neighbours' metrics agree with m: is no spoke longer by half as seen from one end than as
   /// seen from the other? Elsewhere a mesh is too coarse for the metric, and what it says between

@@ -123,7 +123,7 @@ EdgeId edge_to_collapse(const ParticleSystem& particles, VertexId v) {
     if (!keeps_constraints_apart(mesh, s.edge)) continue;
     const double length = squared_length_in_mean(s.point - mesh.point(v), particles.metric(v), s.metric);
     if (nearest != no_edge && length >= smallest) continue;
-    if (star.quality_after_collapse(s.edge) <= 0.0) continue;
+    if (star.quality_after_collapse(i) <= 0.0) continue;
     nearest = s.edge;
     smallest = length;
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mesher/generate.h"
+#include "mesher/index.h"
 #include "mesher/quality.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/domains.h"
@@ -24,27 +25,45 @@ CallableField shifted_layer(double width, double shift) {
   });
 }
 
+/// In which the triangles of the grid of n x n squares are equilateral with sides s, then stretched along x by e^a and
+/// along y by e^-a.
+ConstantField unit_metric_of_grid(int n, double s, double a) {
+  const double legs = s * s * n * n;
+  const Metric tilted = Metric::from_tensor({legs * std::exp(2 * a), -0.5 * legs, legs * std::exp(-2 * a)});
+  const Mesh grid = support::rectangle_mesh(n, n);
+  const auto& [i, j, k] = grid.triangles.front();
+  const auto length = [&](int from, int to) {
+    return std::sqrt(tilted.squared_length(grid.points[at(to)] - grid.points[at(from)]));
+  };
+  const bool leans_right = std::max({length(i, j), length(j, k), length(k, i)}) < 1.5 * s;
+  const SymmetricTensor& t = tilted.tensor();
+  return ConstantField(leans_right ? tilted : Metric::from_tensor({t.xx, -t.xy, t.yy}));
+}
+
 ConstantField slanted(double degrees, double scale) {
   return ConstantField(Metric::from_sizes(0.02, 0.1, degrees * std::numbers::pi / 180.0).scaled(scale));
 }
 
 }  // namespace
 
-TEST_CASE("a start is chosen by the mean of |ln l|", "[mesher][start]") {
-  // Triangles with two sides of length s and one of sqrt2 s: mean |ln l| = (2 |ln s| + |ln s + ln 2 / 2|) / 3.
+TEST_CASE("a start is chosen by the mean of |ln l|, and by the density", "[mesher][start]") {
+  // Stretched by a, the sides have logarithms a, -a and ln(2 cosh 2a - 1) / 2, and the areas stay.
   const Mesh grid = support::rectangle_mesh(8, 8);
-  const auto chosen = [&grid](double s) { return choose_start(grid, ConstantField(Metric::isotropic(0.125 / s))); };
-  CHECK(chosen(1.0).start == Start::PreviousMesh);              // 0.1155
-  CHECK(chosen(std::exp(-0.05)).start == Start::PreviousMesh);  // 0.132
-  CHECK(chosen(std::exp(0.06)).start == Start::Scratch);        // 0.176
-  CHECK(chosen(std::exp(-0.2)).start == Start::Scratch);        // 0.182
-  CHECK_THAT(chosen(1.0).reason, Catch::Contains("by a factor of 1.12"));
+  const auto chosen = [&grid](double s, double a) { return choose_start(grid, unit_metric_of_grid(8, s, a)); };
+  CHECK(chosen(1.0, 0.0).start == Start::PreviousMesh);
+  CHECK(chosen(1.0, 0.15).start == Start::PreviousMesh);  // 0.1145
+  CHECK(chosen(1.0, 0.2).start == Start::Scratch);        // 0.158
+  CHECK(chosen(std::exp(0.04), 0.0).start == Start::PreviousMesh);
+  CHECK(chosen(std::exp(-0.04), 0.0).start == Start::PreviousMesh);
+  CHECK(chosen(std::exp(0.06), 0.0).start == Start::Scratch);
+  CHECK(chosen(std::exp(-0.06), 0.0).start == Start::Scratch);
+  CHECK_THAT(chosen(1.0, 0.15).reason, Catch::Contains("by a factor of 1.12"));
 }
 
 TEST_CASE("a metric of twice the lengths is met by red refinement, of half of them from scratch", "[mesher][start]") {
   const Mesh grid = support::rectangle_mesh(8, 8);
   const int times = GENERATE(-2, -1, 0, 1, 2, 3);
-  const StartChoice choice = choose_start(grid, ConstantField(Metric::isotropic(0.125 / std::exp2(times))));
+  const StartChoice choice = choose_start(grid, unit_metric_of_grid(8, std::exp2(times), 0.0));
   CHECK(choice.refinements == std::max(0, times));
   if (times < 0) CHECK(choice.start == Start::Scratch);
   if (times == 0) CHECK(choice.start == Start::PreviousMesh);

@@ -7,18 +7,15 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <limits>
 #include <new>
 #include <string>
 #include <string_view>
 #include <vector>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include "mesher/errors.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/exit_code.h"
+#include "tools/cli/large_arrays.h"
 #include "tools/cli/usage_error.h"
 #include "tools/cli/version.h"
 
@@ -29,15 +26,6 @@ constexpr const char* footer =
     "Exit codes: 0 done, 1 bug, 2 usage, 3 case invalid, 4 geometry invalid, 5 no valid mesh, 6 solve failed,\n"
     "7 file problem, 8 safety limit, 9 target missed, 130 (143, 129) interrupted.\n"
     "Help on one subcommand: parmesan SUBCOMMAND --help";
-
-// The arrays of a mesh come and go many times. Memory that is kept need not be mapped page by page again: 5 % of the
-// time at a million vertices, for 4 % of memory.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-#endif
-}
 
 // A file that is opened while one of 0, 1, 2 is closed gets its number, and what is printed goes into that file. Of
 // /dev/null opened for reading one can write nothing, so that flush_results sees that the output is lost.
@@ -106,7 +94,7 @@ int main(int argc, char** argv) {
   signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a file problem like a full disk
   std::set_terminate(end_without_unwinding);
   open_standard_streams();
-  keep_freed_memory();
+  give_back_large_arrays();
   std::atexit(end_for_library);
   parmesan::ExitCode code{};
   try {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "tests/support/meshes.h"
 
 using namespace parmesan;
@@ -34,6 +35,26 @@ TEST_CASE("TensorInterpolant reproduces tensors that vary linearly, whatever the
     CHECK(found.xx == Approx(linear_tensor(p).xx).margin(1e-12));
     CHECK(found.xy == Approx(linear_tensor(p).xy).margin(1e-12));
     CHECK(found.yy == Approx(linear_tensor(p).yy).margin(1e-12));
+  }
+}
+
+TEST_CASE("TensorInterpolant does not answer across a narrow gap", "[mesher][metric]") {
+  // Two squares, the second beyond a gap a hundred thousand times as narrow.
+  constexpr double gap = 1e-5;
+  const Mesh left = support::rectangle_mesh(3, 3);
+  Mesh both = left;
+  for (const Point& p : left.points) both.points.push_back({p.x + 1.0 + gap, p.y});
+  const int n = left.num_vertices();
+  for (const auto& [a, b, c] : left.triangles) both.triangles.push_back({a + n, b + n, c + n});
+  std::vector<SymmetricTensor> tensors(at(n), {1.0, 0.0, 1.0});
+  tensors.resize(at(2 * n), {2.0, 0.0, 2.0});
+  const TensorInterpolant field(both, tensors);
+  for (double y = 0.0; y <= 1.0; y += 1.0 / 64.0) {
+    MetricHint in_left = -1, in_right = -1;
+    CHECK(field.at({0.9, y}, in_left).xx == Approx(1.0));
+    CHECK(field.at({1.1, y}, in_right).xx == Approx(2.0));
+    CHECK(field.at({1.0 + gap, y}, in_left).xx == Approx(2.0));
+    CHECK(field.at({1.0, y}, in_right).xx == Approx(1.0));
   }
 }
 
