@@ -33,8 +33,8 @@ void refuse_clockwise_triangles(const Mesh& mesh) {
 
 }  // namespace
 
-GeometryInput read_geometry_input(const std::string& path, Crossings crossings) {
-  if (is_geojson_file_name(path)) return {read_geojson(path, crossings), std::nullopt};
+GeometryInput read_geometry_input(const std::string& path, Crossings crossings, double merge_tolerance) {
+  if (is_geojson_file_name(path)) return {read_geojson(path, crossings, merge_tolerance), std::nullopt};
   if (!is_geometry_file_name(path))
     throw FileError(
         path, 0,
