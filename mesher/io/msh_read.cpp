@@ -32,7 +32,9 @@ class MshReader {
     if (section == "$PhysicalNames") {
       read_msh_names(in_, content_);
     } else if (section == "$Entities" && !in_.is_version_2()) {
-      groups_ = read_msh_entities(in_);
+      read_msh_entities(in_, groups_);
+    } else if (section == "$PartitionedEntities" && !in_.is_version_2()) {
+      read_msh_partitioned_entities(in_, groups_);
     } else if (section == "$Nodes") {
       begin_only_once(has_nodes_);
       read_msh_nodes(in_, content_);

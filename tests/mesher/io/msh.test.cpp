@@ -1,5 +1,6 @@
 #include "mesher/io/msh.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -110,6 +111,40 @@ TEST_CASE("Format 4.1 is read with groups, parameters, points and gaps in the ta
   REQUIRE(data.fields.points.size() == 1);
   CHECK(data.fields.points[0].name == "the u");
   CHECK(data.fields.points[0].values == std::vector<double>{1, 2, 3, 4});
+}
+
+TEST_CASE("Parts of a partitioned file have the groups of their parents, borders between parts are left out",
+          "[mesher][io][msh]") {
+  // The unit square, cut into the partitions 1 and 2 along the diagonal; its lower side is in both.
+  const std::string partitioned =
+      "$PartitionedEntities\n2\n1\n12 1\n1 3 2 0\n5 0 1 1 1 0 0 0 0\n"
+      "6 1 3 1 1 0 0 0 0.5 0 0 1 7 0\n7 1 3 1 2 0.5 0 0 1 0 0 1 7 0\n8 2 4 2 1 2 0 0 0 1 1 0 1 9 0\n"
+      "5 2 4 1 1 0 0 0 1 1 0 2 9 8 0\n6 2 4 1 2 0 0 0 1 1 0 2 9 8 0\n$EndPartitionedEntities\n";
+  const std::string nodes = "$Nodes\n1 5 1 5\n2 5 0 5\n1\n2\n3\n4\n5\n0 0 0\n0.5 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n";
+  const std::string elements_of_parts =
+      "$Elements\n5 6 1 6\n1 6 1 1\n1 1 2\n1 7 1 1\n2 2 3\n1 8 1 1\n3 2 4\n2 5 2 2\n4 1 2 4\n5 1 4 5\n"
+      "2 6 2 1\n6 2 3 4\n$EndElements\n";
+  const Mesh mesh = parse_msh_text(format_4 + names + entities + partitioned + nodes + elements_of_parts).mesh;
+  CHECK(mesh.regions == std::vector<int>{9, 9, 9});
+  int num_lower = 0;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto y = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.edges[e][k])].y; };
+    const bool is_lower = y(0) == 0.0 && y(1) == 0.0;
+    CHECK(mesh.labels[e] == (is_lower ? 7 : 0));
+    num_lower += is_lower ? 1 : 0;
+  }
+  CHECK(num_lower == 2);
+  CHECK(mesh.edges.size() == 5);
+
+  // Without groups, the labels are the parents.
+  const std::string no_groups =
+      "$PartitionedEntities\n2\n0\n0 2 1 0\n6 1 3 1 1 0 0 0 0.5 0 0 0 0\n7 1 4 1 2 0.5 0 0 1 0 0 0 0\n"
+      "5 2 4 2 1 2 0 0 0 1 1 0 0 0\n$EndPartitionedEntities\n";
+  const std::string elements_of_parents =
+      "$Elements\n3 5 1 6\n1 6 1 1\n1 1 2\n1 7 1 1\n2 2 3\n2 5 2 3\n4 1 2 4\n5 1 4 5\n6 2 3 4\n$EndElements\n";
+  const Mesh of_parents = parse_msh_text(format_4 + no_groups + nodes + elements_of_parents).mesh;
+  CHECK(std::count(of_parents.labels.begin(), of_parents.labels.end(), 3) == 1);
+  CHECK(std::count(of_parents.labels.begin(), of_parents.labels.end(), 4) == 1);
 }
 
 TEST_CASE("Format 2 is read, elements in two groups once", "[mesher][io][msh]") {
