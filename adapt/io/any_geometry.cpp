@@ -27,7 +27,7 @@ void refuse_clockwise_triangles(const Mesh& mesh) {
     const auto& [a, b, c] = mesh.triangles[at(i)];
     const auto point = [&mesh](int v) { return mesh.points[at(v)]; };
     if (orient2d(point(a), point(b), point(c)) < 0.0)
-      throw GeometryError("triangle " + std::to_string(i) + " is clockwise, others are not", {i});
+      throw GeometryError("triangle " + number_text(mesh, i) + " is clockwise, others are not", {i});
   }
 }
 

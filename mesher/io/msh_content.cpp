@@ -225,6 +225,7 @@ MeshData mesh_data_of(MshContent content) {
   const std::vector<MshField> marks = take_marks(content.element_fields);
   mesh.required.edges = marked(marks, content.lines.tags);
   mesh.required.triangles = marked(marks, content.triangles.tags);
+  mesh.first_number = 1;
   data.fields.points = plane_fields(content.node_fields, node_tags, "node");
   data.fields.cells = plane_fields(content.element_fields, content.triangles.tags, "triangle");
   return data;

@@ -108,6 +108,7 @@ Mesh parse_triangle_mesh(std::string_view node_text, std::string_view ele_text, 
     read_edge(edge_in, nodes, mesh);
   }
   mesh.points = std::move(nodes.points);
+  mesh.first_number = nodes.base;
   return mesh;
 }
 
