@@ -41,7 +41,7 @@ void read_element(MshInput& in, const ElementHead& head, const ReadNode& read_no
   } else if (head.type == triangle_type) {
     read_nodes(in, content.node_tags, head, read_node, content.triangles);
   } else if (head.type == point_type) {
-    read_node();
+    read_nodes(in, content.node_tags, head, read_node, content.points);
   } else {
     in.fail("has elements of type " + std::to_string(head.type) +
             "; points, lines and triangles of first order (15, 1, 2) are read");

@@ -38,6 +38,8 @@ class MshReader {
     } else if (section == "$Nodes") {
       begin_only_once(has_nodes_);
       read_msh_nodes(in_, content_);
+    } else if (section == "$ParametricNodes") {
+      in_.fail("nodes with parameters are read in format 4.1 only; without Gmsh's Mesh.SaveParametric there are none");
     } else if (section == "$Elements") {
       require(has_nodes_, "$Nodes must come before $Elements");
       begin_only_once(has_elements_);

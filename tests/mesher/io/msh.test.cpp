@@ -179,6 +179,45 @@ TEST_CASE("Of several time steps the last one is read", "[mesher][io][msh]") {
   CHECK(data.fields.points[0].values == std::vector<double>{1, 2, 3, 8});
 }
 
+TEST_CASE("A field with values on a part of the mesh is left out, with a note", "[mesher][io][msh]") {
+  using Catch::Contains;
+  std::string partial = node_data;
+  partial.replace(partial.find("4\n40 4\n"), 7, "3\n");
+  partial.replace(partial.find("the u"), 5, "a part");
+  const std::string on_line = "$ElementData\n1\n\"w\"\n0\n3\n0\n1\n1\n1 5\n$EndElementData\n";
+  const MeshData read = parse_msh_text(format_4 + msh_nodes + elements + partial + node_data + on_line);
+  REQUIRE(read.fields.points.size() == 1);
+  CHECK(read.fields.points[0].name == "the u");
+  CHECK(read.fields.cells.empty());
+  REQUIRE(read.notes.size() == 2);
+  CHECK_THAT(read.notes[0], Contains("'a part' is left out") && Contains("no value at node 40"));
+  CHECK_THAT(read.notes[1], Contains("'w' is left out") && Contains("no value at triangle 3"));
+}
+
+TEST_CASE("Points of a geometry come back from Gmsh's format, from others' those in a group", "[mesher][io][msh]") {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh(3);
+  mesh.triangles.clear();
+  mesh.regions.clear();
+  mesh.required = {};
+  const Encoding encoding = GENERATE(Encoding::Text, Encoding::Binary);
+  write_msh(folder / "g.msh", mesh, {}, encoding);
+  const Mesh read = read_msh(folder / "g.msh").mesh;
+  CHECK(read.points == mesh.points);
+  CHECK(read.edges == mesh.edges);
+
+  // Format 2: tag, type, 2 tags (group and entity), node; node 4 is a point that was named, node 5 the centre of an
+  // arc.
+  const auto num_points_with = [](const std::string& more) {
+    return parse_msh_text(format_2 + "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0.2 0.2 0\n5 9 9 0\n$EndNodes\n" +
+                          "$Elements\n" + more + "1 1 2 7 1 1 2\n2 1 2 7 1 2 3\n3 1 2 7 1 3 1\n4 15 2 8 4 4\n" +
+                          "5 15 2 0 5 5\n$EndElements\n")
+        .mesh.num_vertices();
+  };
+  CHECK(num_points_with("5\n") == 4);
+  CHECK(num_points_with("6\n6 2 2 9 1 1 2 3\n") == 3);
+}
+
 TEST_CASE("Every fault in a Gmsh file is refused with its line", "[mesher][io][msh][errors]") {
   CHECK(msh_line_of("") == 1);
   CHECK(msh_line_of("# airfoil.msh geometry file\nmshid=1\n") == 2);
@@ -209,12 +248,11 @@ TEST_CASE("What a Gmsh file cannot mean here is refused", "[mesher][io][msh][err
   std::string raised = msh_nodes;
   raised.replace(raised.find("1 1 0\n0 1 0"), 5, "1 1 2");
   CHECK_THAT(message_of(format_4 + raised + elements), Contains("node 30") && Contains("plane"));
-  std::string partial = node_data;
-  partial.replace(partial.find("4\n40 4\n"), 7, "3\n");
-  CHECK_THAT(message_of(format_4 + msh_nodes + elements + partial), Contains("'the u' has no value at node 40"));
   const std::string vector =
       "$NodeData\n1\n\"v\"\n0\n3\n0\n3\n4\n10 1 2 0\n20 1 2 0\n30 1 2 3\n40 1 2 0\n$EndNodeData\n";
   CHECK_THAT(message_of(format_4 + msh_nodes + elements + vector), Contains("leaves the plane"));
+  CHECK_THAT(message_of(format_2 + "$ParametricNodes\n1\n1 0 0 0 0 1\n$EndParametricNodes\n"),
+             Contains("t.msh:4") && Contains("Mesh.SaveParametric"));
   const std::string overlap = "$Elements\n1 2 1 2\n2 4 2 2\n1 10 20 30\n2 10 20 40\n$EndElements\n";
   CHECK_THROWS_AS(parse_msh_text(format_4 + msh_nodes + overlap), parmesan::InputError);
 }
