@@ -207,6 +207,8 @@ TEST_CASE("Faults of a GeoJSON text are refused with line and pointer", "[adapt]
   CHECK_THAT(message_of(collection("\n" + feature("a", "{\"type\":\"Polygon\",\n\"coordinates\":[[[0,0],\n[1]]]}"))),
              Contains("t.geojson:4: /features/0/geometry/coordinates/0/1 must be two numbers"));
   CHECK_THAT(message_of(collection("")), Contains("has no polygons"));
+  CHECK_THAT(message_of(collection("\n" + feature("a", polygon(square)).insert(1, "\n\"type\":\"Point\",\n"))),
+             Contains("t.geojson:4: /features/0/type is given twice"));
   CHECK_THAT(message_of(polygon("[[0,0],[1e999,0],[0,1]]")), Contains("double precision"));
   CHECK_THAT(message_of(std::string(100000, '[')), Contains("too deep"));
   CHECK_THROWS_AS(
