@@ -42,8 +42,8 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
                      const WriteOptions& options = {});
 
 /// Reads a mesh in the format that the suffix names: .mesh, .meshb, .msh, or .node or .ele (reads both, and .edge
-/// where there is one; a .node alone is points). A mesh seen from below, all of its triangles clockwise, is turned. Errors: FileError with the
-/// line or the byte; FileValueError where a number is not finite or refers to nothing.
+/// where there is one; a .node alone is points). A mesh seen from below, all of its triangles clockwise, is turned.
+/// Errors: FileError with the line or the byte; FileValueError where a number is not finite or refers to nothing.
 Mesh read_mesh_file(const std::string& path);
 
 /// The same with the fields of the file; those of .mesh and .meshb are looked for in .sol and .solb beside them.
