@@ -63,7 +63,8 @@ std::optional<GeometryInput> read_named_geometry(CaseReading& reading, const std
                                                  const std::string& pointer) {
   const std::optional<std::string> path = named_file(reading, name, pointer);
   if (!path) return std::nullopt;
-  return read_geometry_input(*path);
+  const double merge_tolerance = reading.document.root["geometry"].value("merge_tolerance", 0.0);
+  return read_geometry_input(*path, Crossings::Refuse, merge_tolerance);
 }
 
 }  // namespace parmesan

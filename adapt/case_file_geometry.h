@@ -18,7 +18,7 @@ inline constexpr std::uintmax_t kMaxNamedBytes = std::uintmax_t{1} << 30;
 /// Nothing, and an issue, for any other.
 std::optional<std::string> named_file(CaseReading& reading, const std::string& name, const std::string& pointer);
 
-/// Reads the geometry file that a case names at pointer.
+/// Reads the geometry file that a case names at pointer, by the merge tolerance of the case's geometry.
 /// Nothing, and an issue, as named_file. Errors: FileError, GeometryError for what is in it.
 std::optional<GeometryInput> read_named_geometry(CaseReading& reading, const std::string& name,
                                                  const std::string& pointer);

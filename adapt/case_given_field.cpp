@@ -16,15 +16,16 @@ const std::string kPointer = "/problem/interpolate";
 
 bool ends_with_sol(const std::string& path) { return path.ends_with(".sol") || path.ends_with(".solb"); }
 
-std::vector<MeshField> scalars_at_vertices(const std::string& path) {
-  std::vector<MeshField> fields =
-      ends_with_sol(path) ? read_medit_fields(path).points : read_mesh_data(path).fields.points;
-  std::erase_if(fields, [](const MeshField& field) { return field.components != 1; });
-  return fields;
+/// The scalars at vertices, and notes on what else there was.
+MeshData scalars_at_vertices(const std::string& path) {
+  MeshData data = ends_with_sol(path) ? MeshData{{}, read_medit_fields(path)} : read_mesh_data(path);
+  std::erase_if(data.fields.points, [](const MeshField& field) { return field.components != 1; });
+  return data;
 }
 
 /// The field of that name, or the only one. Nothing, and an issue, where it is not clear which is meant.
-std::optional<MeshField> choose(CaseReading& reading, std::vector<MeshField> fields, const std::string& name) {
+std::optional<MeshField> choose(CaseReading& reading, MeshData data, const std::string& name) {
+  std::vector<MeshField>& fields = data.fields.points;
   std::vector<std::string> names;
   names.reserve(fields.size());
   for (const MeshField& field : fields) names.push_back(field.name);
@@ -32,7 +33,9 @@ std::optional<MeshField> choose(CaseReading& reading, std::vector<MeshField> fie
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return std::move(fields[static_cast<std::size_t>(found - names.begin())]);
   if (names.empty()) {
-    reading.issues.add(kPointer + "/file", "the file has no scalar field at vertices");
+    std::string problem = "the file has no scalar field at vertices";
+    for (const std::string& note : data.notes) problem += "; " + note;
+    reading.issues.add(kPointer + "/file", problem);
   } else {
     reading.issues.add(kPointer + "/field", (name.empty() ? "must name one of several fields"
                                                           : "there is no field '" + name.substr(0, 60) + "'") +

@@ -43,6 +43,7 @@ struct Mesh {
   LabelNames label_names;
   LabelNames region_names;
   RequiredParts required = {};
+  int first_number = 0;  // that the user's file gives its points, triangles and edges, for messages
 
   int num_vertices() const { return static_cast<int>(points.size()); }
   int num_triangles() const { return static_cast<int>(triangles.size()); }
@@ -54,6 +55,9 @@ double area(const Mesh& mesh);
 
 /// The vertices that edges end at, ascending.
 std::vector<int> ends_of_edges(const Mesh& mesh);
+
+/// What messages call a point, a triangle or an edge of the mesh that the user gave.
+inline std::string number_text(const Mesh& mesh, int index) { return std::to_string(index + mesh.first_number); }
 
 /// The name of a label, or its number in decimal.
 std::string label_name(const LabelNames& names, int label);

@@ -36,12 +36,20 @@ std::vector<LabelledEdge> labelled_edges(const Mesh& mesh) {
   return edges;
 }
 
+/// A kind of what has a side, and how often it may.
+struct Owners {
+  const char* name;
+  const char* allowed;
+};
+constexpr Owners triangles_of_side{"triangle", "each may occur once in each direction"};
+constexpr Owners edges_of_side{"edge", "each may occur once, in either direction"};
+
 /// Puts the owner into its slot, which must be free.
-void claim(int* slot, int owner, const char* kind, const MeshSide& side) {
+void claim(int* slot, int owner, const Owners& kind, const Mesh& mesh, const MeshSide& side) {
   if (*slot >= 0) {
-    throw GeometryError(std::string(kind) + "s " + std::to_string(*slot) + " and " + std::to_string(owner) +
-                            " both have the side " + std::to_string(side.low) + "-" + std::to_string(side.high) +
-                            "; each may occur once in each direction",
+    throw GeometryError(std::string(kind.name) + "s " + number_text(mesh, *slot) + " and " + number_text(mesh, owner) +
+                            " both have the side " + number_text(mesh, side.low) + "-" + number_text(mesh, side.high) +
+                            "; " + kind.allowed,
                         {*slot, owner});
   }
   *slot = owner;
@@ -66,12 +74,13 @@ class Fan {
 MeshSide Fan::take_next() {
   constexpr int none = std::numeric_limits<int>::max();
   MeshSide side{low_, std::min(sides_.empty() ? none : sides_[0].high, edges_.empty() ? none : edges_[0].high)};
-  if (side.high == low_) throw GeometryError("a side goes from point " + std::to_string(low_) + " to itself", {low_});
+  if (side.high == low_)
+    throw GeometryError("a side goes from point " + number_text(mesh_, low_) + " to itself", {low_});
   for (; !sides_.empty() && sides_[0].high == side.high; sides_ = sides_.subspan(1))
-    claim(goes_up(mesh_, sides_[0]) ? &side.left : &side.right, sides_[0].triangle(), "triangle", side);
+    claim(goes_up(mesh_, sides_[0]) ? &side.left : &side.right, sides_[0].triangle(), triangles_of_side, mesh_, side);
   for (; !edges_.empty() && edges_[0].high == side.high; edges_ = edges_.subspan(1)) {
     side.edge_goes_down = edges_[0].goes_down;
-    claim(&side.edge, edges_[0].number, "edge", side);
+    claim(&side.edge, edges_[0].number, edges_of_side, mesh_, side);
   }
   return side;
 }

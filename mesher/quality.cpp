@@ -1,10 +1,13 @@
 #include "mesher/quality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/half_edges.h"
@@ -57,22 +60,62 @@ double degrees_of_squared_cosine(double c) {
   return std::acos(std::copysign(std::sqrt(std::abs(c)), c)) * 180.0 / std::numbers::pi;
 }
 
-// Vertices where the boundary turns sharply: triangles there cannot be good. At the tip of a crack it turns all the way
-// round.
-std::vector<bool> sharp_corners(const Mesh& mesh, std::span<const Metric> metrics) {
-  std::vector<std::array<int, 2>> ends(mesh.points.size(), {-1, -1});
-  for (const auto& [a, b] : mesh.edges) {
-    for (const auto& [from, to] : {std::array<int, 2>{a, b}, std::array<int, 2>{b, a}}) {
-      auto& pair = ends[at(from)];
-      (pair[0] < 0 ? pair[0] : pair[1]) = to;
-    }
+/// The corner of a triangle at vertex, from the side to first to that to second, counter-clockwise.
+struct Corner {
+  int vertex;
+  int first;
+  int second;
+
+  bool operator<(const Corner& other) const {
+    return vertex != other.vertex ? vertex < other.vertex : first < other.first;
   }
+};
+
+/// The corners of triangles at the vertices at which edges meet, sorted.
+std::vector<Corner> corners_at(const std::vector<unsigned char>& num_edges, const Mesh& mesh) {
+  std::vector<Corner> corners;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (num_edges[at(t[k])] > 1) corners.push_back({t[k], t[(k + 1) % 3], t[(k + 2) % 3]});
+  }
+  std::ranges::sort(corners, std::less<>());
+  return corners;
+}
+
+/// Edges as seen from both ends, sorted.
+std::vector<std::array<int, 2>> rays_of(const std::vector<std::array<int, 2>>& edges) {
+  std::vector<std::array<int, 2>> rays;
+  rays.reserve(2 * edges.size());
+  for (const auto& [a, b] : edges) rays.insert(rays.end(), {{a, b}, {b, a}});
+  std::ranges::sort(rays);
+  return rays;
+}
+
+/// Vertices where edges enclose less than 30 degrees of the domain: triangles there cannot be good. Between two edges
+/// that follow each other the angles of the triangles are summed up, so outer sides do not count.
+std::vector<bool> sharp_corners(const Mesh& mesh, std::span<const Metric> metrics) {
+  std::vector<unsigned char> num_edges(mesh.points.size(), 0);  // 2 stands for more
+  for (const auto& edge : mesh.edges)
+    for (const int v : edge) num_edges[at(v)] = num_edges[at(v)] == 0 ? 1 : 2;
+  const std::vector<Corner> corners = corners_at(num_edges, mesh);
+  const std::vector<std::array<int, 2>> rays = rays_of(mesh.edges);
+  const auto is_ray = [&rays](int from, int to) { return std::ranges::binary_search(rays, std::array{from, to}); };
+  const auto angle = [&](const Corner& c) {
+    const Point& p = mesh.points[at(c.vertex)];
+    return metric_angle(mesh.points[at(c.first)] - p, mesh.points[at(c.second)] - p, metrics[at(c.vertex)]);
+  };
   std::vector<bool> sharp(mesh.points.size(), false);
-  for (std::size_t v = 0; v < ends.size(); ++v) {
-    if (ends[v][1] < 0) continue;
-    const Vector a = mesh.points[at(ends[v][0])] - mesh.points[v];
-    const Vector b = mesh.points[at(ends[v][1])] - mesh.points[v];
-    sharp[v] = a != b && metric_angle(a, b, metrics[v]) < sharp_angle;
+  for (const Corner& start : corners) {
+    if (!is_ray(start.vertex, start.first)) continue;
+    double sum = angle(start);
+    Corner last = start;
+    while (sum < sharp_angle && !is_ray(last.vertex, last.second)) {
+      const auto next = std::ranges::lower_bound(corners, Corner{last.vertex, last.second, -1}, std::less<>());
+      if (next == corners.end() || next->vertex != last.vertex || next->first != last.second) break;
+      last = *next;
+      sum += angle(last);
+    }
+    if (sum < sharp_angle && is_ray(last.vertex, last.second)) sharp[at(start.vertex)] = true;
   }
   return sharp;
 }

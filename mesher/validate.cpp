@@ -35,7 +35,7 @@ void check_regions(const Mesh& mesh) {
   const auto found = std::ranges::find_if(mesh.regions, [](int region) { return region < min_region; });
   if (found == mesh.regions.end()) return;
   const auto triangle = static_cast<int>(found - mesh.regions.begin());
-  throw GeometryError("triangle " + std::to_string(triangle) + " has region " + std::to_string(*found) +
+  throw GeometryError("triangle " + number_text(mesh, triangle) + " has region " + std::to_string(*found) +
                           "; regions are numbered from " + std::to_string(min_region),
                       {triangle});
 }
@@ -44,55 +44,55 @@ void check_points(const Mesh& mesh) {
   for (int i = 0; i < mesh.num_vertices(); ++i) {
     const Point& p = mesh.points[at(i)];
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-      throw GeometryError("point " + std::to_string(i) + " has a coordinate that is not finite", {i});
+      throw GeometryError("point " + number_text(mesh, i) + " has a coordinate that is not finite", {i});
     }
     if (std::max(std::abs(p.x), std::abs(p.y)) > max_coordinate)
-      throw InputError("point " + std::to_string(i) + " has a coordinate beyond " + text(max_coordinate) +
+      throw InputError("point " + number_text(mesh, i) + " has a coordinate beyond " + text(max_coordinate) +
                        ": scale the mesh");
   }
 }
 
 /// kind: "triangle" or "edge".
 template <std::size_t N>
-void check_indices(const std::vector<std::array<int, N>>& cells, int num_points, const char* kind) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (const int v : cells[i]) {
-      if (v < 0 || v >= num_points) {
-        throw GeometryError(std::string(kind) + " " + std::to_string(i) + " refers to point " + std::to_string(v) +
-                                "; points are 0 to " + std::to_string(num_points - 1),
-                            {static_cast<int>(i)});
-      }
+void check_indices(const Mesh& mesh, const std::vector<std::array<int, N>>& cells, const char* kind) {
+  for (int i = 0; i < static_cast<int>(cells.size()); ++i) {
+    for (const int v : cells[at(i)]) {
+      if (v >= 0 && v < mesh.num_vertices()) continue;
+      throw GeometryError(std::string(kind) + " " + number_text(mesh, i) + " refers to point " + number_text(mesh, v) +
+                              "; points are " + number_text(mesh, 0) + " to " +
+                              number_text(mesh, mesh.num_vertices() - 1),
+                          {i});
     }
   }
 }
 
-void check_required(const std::vector<int>& numbers, std::size_t count, const char* kind) {
+void check_required(const Mesh& mesh, const std::vector<int>& numbers, std::size_t count, const char* kind) {
   for (const int number : numbers) {
     if (number >= 0 && number < static_cast<int>(count)) continue;
-    throw GeometryError(
-        std::string(kind) + " " + std::to_string(number) + " is required, but there are only " + std::to_string(count),
-        {number});
+    throw GeometryError(std::string(kind) + " " + number_text(mesh, number) + " is required, but there are only " +
+                            std::to_string(count),
+                        {number});
   }
 }
 
 void check_triangles(const Mesh& mesh) {
   std::vector<bool> is_used(mesh.points.size(), false);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+  for (int i = 0; i < mesh.num_triangles(); ++i) {
     std::array<Point, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t v = static_cast<std::size_t>(mesh.triangles[i][k]);
+      const std::size_t v = static_cast<std::size_t>(mesh.triangles[at(i)][k]);
       is_used[v] = true;
       corner[k] = mesh.points[v];
     }
     const double area = orient2d(corner[0], corner[1], corner[2]);
     if (area > 0.0) continue;
     throw GeometryError(
-        "triangle " + std::to_string(i) + (area < 0.0 ? " is clockwise, not counter-clockwise" : " has no area"),
-        {static_cast<int>(i)});
+        "triangle " + number_text(mesh, i) + (area < 0.0 ? " is clockwise, not counter-clockwise" : " has no area"),
+        {i});
   }
-  for (std::size_t i = 0; i < is_used.size(); ++i) {
-    if (is_used[i]) continue;
-    throw GeometryError("point " + std::to_string(i) + " belongs to no triangle", {static_cast<int>(i)});
+  for (int i = 0; i < mesh.num_vertices(); ++i) {
+    if (is_used[at(i)]) continue;
+    throw GeometryError("point " + number_text(mesh, i) + " belongs to no triangle", {i});
   }
 }
 
@@ -119,27 +119,27 @@ void check_parts(const Mesh& mesh) {
   check_counts(mesh);
   check_regions(mesh);
   check_points(mesh);
-  check_indices(mesh.triangles, mesh.num_vertices(), "triangle");
-  check_indices(mesh.edges, mesh.num_vertices(), "edge");
-  check_required(mesh.required.vertices, mesh.points.size(), "point");
-  check_required(mesh.required.edges, mesh.edges.size(), "edge");
-  check_required(mesh.required.triangles, mesh.triangles.size(), "triangle");
+  check_indices(mesh, mesh.triangles, "triangle");
+  check_indices(mesh, mesh.edges, "edge");
+  check_required(mesh, mesh.required.vertices, mesh.points.size(), "point");
+  check_required(mesh, mesh.required.edges, mesh.edges.size(), "edge");
+  check_required(mesh, mesh.required.triangles, mesh.triangles.size(), "triangle");
   check_triangles(mesh);
 }
 
-[[noreturn]] void refuse(const MeshSide& side) {
-  const auto name = [&side] { return std::to_string(side.low) + "-" + std::to_string(side.high); };
+[[noreturn]] void refuse(const Mesh& mesh, const MeshSide& side) {
+  const auto name = [&] { return number_text(mesh, side.low) + "-" + number_text(mesh, side.high); };
   if (side.left < 0 && side.right < 0) {
-    throw GeometryError("edge " + std::to_string(side.edge) + " (" + name() + ") is not a side of any triangle",
+    throw GeometryError("edge " + number_text(mesh, side.edge) + " (" + name() + ") is not a side of any triangle",
                         {side.edge});
   }
   if (side.edge < 0) {
     const int triangle = side.left < 0 ? side.right : side.left;
-    throw GeometryError(
-        "triangle " + std::to_string(triangle) + " has the boundary side " + name() + ", which no labelled edge covers",
-        {triangle});
+    throw GeometryError("triangle " + number_text(mesh, triangle) + " has the boundary side " + name() +
+                            ", which no labelled edge covers",
+                        {triangle});
   }
-  throw GeometryError("boundary edge " + std::to_string(side.edge) + " (" + name() +
+  throw GeometryError("boundary edge " + number_text(mesh, side.edge) + " (" + name() +
                           ") has the domain to its right; boundary edges have it to their left",
                       {side.edge});
 }
@@ -148,12 +148,12 @@ void check_parts(const Mesh& mesh) {
 
 void validate(const Mesh& mesh) {
   check_parts(mesh);
-  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, HalfEdges(mesh))) refuse(*side);
+  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, HalfEdges(mesh))) refuse(mesh, *side);
 }
 
 void validate(const Mesh& mesh, const HalfEdges& half_edges) {
   check_parts(mesh);
-  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, half_edges)) refuse(*side);
+  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, half_edges)) refuse(mesh, *side);
 }
 
 }  // namespace parmesan

@@ -27,14 +27,14 @@ void refuse_clockwise_triangles(const Mesh& mesh) {
     const auto& [a, b, c] = mesh.triangles[at(i)];
     const auto point = [&mesh](int v) { return mesh.points[at(v)]; };
     if (orient2d(point(a), point(b), point(c)) < 0.0)
-      throw GeometryError("triangle " + std::to_string(i) + " is clockwise, others are not", {i});
+      throw GeometryError("triangle " + number_text(mesh, i) + " is clockwise, others are not", {i});
   }
 }
 
 }  // namespace
 
-GeometryInput read_geometry_input(const std::string& path, Crossings crossings) {
-  if (is_geojson_file_name(path)) return {read_geojson(path, crossings), std::nullopt};
+GeometryInput read_geometry_input(const std::string& path, Crossings crossings, double merge_tolerance) {
+  if (is_geojson_file_name(path)) return {read_geojson(path, crossings, merge_tolerance), std::nullopt};
   if (!is_geometry_file_name(path))
     throw FileError(
         path, 0,

@@ -15,9 +15,10 @@ struct GeometryInput {
 };
 
 /// Reads what is to be meshed from any file that is understood: those of read_geometry, and GeoJSON (.geojson, .json).
-/// crossings: of features that have to be told apart (GeoJSON); others are left to clean().
+/// crossings, merge_tolerance: of features that have to be told apart (GeoJSON); others are left to clean().
 /// Errors: as read_geometry, read_geojson and read_valid_mesh.
-GeometryInput read_geometry_input(const std::string& path, Crossings crossings = Crossings::Refuse);
+GeometryInput read_geometry_input(const std::string& path, Crossings crossings = Crossings::Refuse,
+                                  double merge_tolerance = 0.0);
 
 /// Whether a file of this suffix is a domain and never a mesh.
 bool is_any_domain_file_name(const std::string& path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/domain_of_mesh.h"
+#include "mesher/geometry/repair.h"
 #include "mesher/index.h"
 #include "mesher/io/text.h"
 #include "mesher/mesh_sides.h"
@@ -24,6 +26,13 @@ void append_ring(const GeoRing& ring, int label, Domain& domain) {
   const int n = static_cast<int>(ring.size());
   domain.points.insert(domain.points.end(), ring.begin(), ring.end());
   for (int i = 0; n > 1 && i < n; ++i) domain.segments.push_back({first + i, first + (i + 1) % n, label});
+}
+
+template <class Features, class Visit>
+void for_each_ring(Features& features, Visit visit) {
+  for (auto& feature : features)
+    for (auto& polygon : feature.polygons)
+      for (auto& ring : polygon) visit(ring);
 }
 
 /// Sides "boundary" and "hole1", ...
@@ -130,6 +139,24 @@ bool has_shared_sides(const Mesh& mesh) {
   });
 }
 
+/// The rings with points nearer than the tolerance as one, the first of them, before anything is told by them: what
+/// then runs together is a border. Returns what was merged.
+std::vector<std::string> merge_rings(std::vector<GeoFeature>& features, double tolerance) {
+  Domain rings;
+  rings.merge_tolerance = tolerance;
+  for_each_ring(features,
+                [&rings](const GeoRing& ring) { rings.points.insert(rings.points.end(), ring.begin(), ring.end()); });
+  const int n = static_cast<int>(rings.points.size());
+  for (int i = 0; i < n; ++i) rings.segments.push_back({i, i});  // follow their points
+  check_input(rings);
+  const DomainRepair merged = merge_points(rings);
+  std::size_t next = 0;
+  for_each_ring(features, [&](GeoRing& ring) {
+    for (Point& p : ring) p = merged.point(merged.domain.segments[next++].a);
+  });
+  return merged.repairs;
+}
+
 /// What the rings enclose, triangulated, each part with the feature that it is in or 0.
 Mesh parts_of_features(Domain rings, const std::vector<GeoFeature>& features, Crossings crossings) {
   rings.inside = Inside::HoleSeeds;
@@ -171,13 +198,19 @@ Domain domain_of_features(const std::vector<GeoFeature>& features, Crossings cro
 
 }  // namespace
 
-Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings) {
-  const std::vector<GeoFeature> features = parse_geojson_features(text, name);
-  return features.size() == 1 ? domain_of_one(features, crossings) : domain_of_features(features, crossings);
+Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings, double merge_tolerance) {
+  std::vector<GeoFeature> features = parse_geojson_features(text, name);
+  std::vector<std::string> merged;
+  if (merge_tolerance > 0.0) merged = merge_rings(features, merge_tolerance);
+  Domain domain = features.size() == 1 ? domain_of_one(features, crossings) : domain_of_features(features, crossings);
+  domain.merge_tolerance = merge_tolerance;
+  // Rings as they are have their equal points yet, so clean() tells of them.
+  if (domain.inside == Inside::HoleSeeds) domain.notes = std::move(merged);
+  return domain;
 }
 
-Domain read_geojson(const std::string& path, Crossings crossings) {
-  return parse_geojson(read_file(path, kMaxGeoJsonBytes), path, crossings);
+Domain read_geojson(const std::string& path, Crossings crossings, double merge_tolerance) {
+  return parse_geojson(read_file(path, kMaxGeoJsonBytes), path, crossings, merge_tolerance);
 }
 
 }  // namespace parmesan

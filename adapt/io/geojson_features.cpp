@@ -31,12 +31,20 @@ class GeoJsonReader {
       return true;
     };
     try {
-      return Json::parse(text_, limit_depth);
+      Json parsed = Json::parse(text_, limit_depth);
+      refuse_duplicate_keys();
+      return parsed;
     } catch (const Json::parse_error& error) {
       throw FileError(name_, line_column(text_, error.byte > 0 ? error.byte - 1 : 0).line, "is not JSON");
     } catch (const Json::exception&) {
       throw FileError(name_, 0, "is not JSON: a number is beyond double precision");
     }
+  }
+
+  /// Of them the library would take the last one.
+  void refuse_duplicate_keys() const {
+    for (const DuplicateKey& key : find_duplicate_keys(text_, 1))
+      throw FileError(name_, line_column(text_, key.offset).line, key.pointer + " is given twice");
   }
 
   [[noreturn]] void refuse(const std::string& pointer, const std::string& problem) const {

@@ -7,7 +7,7 @@
 
 namespace parmesan {
 
-/// A repaired copy and what was repaired, or kept though doubtful, one sentence each.
+/// A repaired copy and what was repaired, or kept though doubtful, one sentence each: the domain's notes first.
 struct CleanDomain {
   Domain domain;
   std::vector<std::string> repairs;

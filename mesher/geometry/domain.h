@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mesher/geometry/curve.h"
@@ -60,7 +61,8 @@ struct Domain {
   double merge_tolerance = 0.0;  // points nearer than this become one; L
   LabelNames label_names;
   LabelNames region_names;
-  int first_number = 0;  // that the user's file gives its points and segments, for messages
+  int first_number = 0;            // that the user's file gives its points and segments, for messages
+  std::vector<std::string> notes;  // what reading it has repaired, one sentence each, for clean() to tell
 };
 
 /// What is done about segments that cross where neither has a point.

@@ -62,7 +62,7 @@ struct StraightSegments {
 void check_input(const Domain& domain);
 
 /// Equal points, and those nearer than the domain's tolerance, become the first of them, and points near the end of a
-/// curve to rounding become that; the order of the others stays.
+/// curve to rounding become that; the order of the others stays. The domain's notes become the first repairs.
 /// Errors: GeometryError for a seed of a hole or region that is nearer than the tolerance to a straight segment, once
 /// points are merged by it.
 DomainRepair merge_points(const Domain& domain);

@@ -77,7 +77,8 @@ void refuse_seeds_near_segments(const Domain& domain, double tolerance) {
 }  // namespace
 
 DomainRepair merge_points(const Domain& domain) {
-  DomainRepair repair{.domain = domain, .point_sources = {}, .segment_sources = {}, .repairs = {}};
+  DomainRepair repair{.domain = domain, .point_sources = {}, .segment_sources = {}, .repairs = domain.notes};
+  repair.domain.notes.clear();
   repair.domain.points.clear();
   repair.domain.merge_tolerance = 0.0;
   const bool by_tolerance = domain.merge_tolerance > 0.0;

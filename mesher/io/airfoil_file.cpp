@@ -1,11 +1,10 @@
 #include "mesher/io/airfoil_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 #include <vector>
 
+#include "mesher/errors.h"
 #include "mesher/io/text.h"
 #include "mesher/io/triangle_rows.h"
 
@@ -15,11 +14,17 @@ namespace {
 constexpr int airfoil_label = 1;
 constexpr int trailing_edge_label = 2;
 
+/// As the rows are read; also one that is not finite, for it is no title.
 bool is_number(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
+  TextReader in(word, "");
+  try {
+    in.real("a coordinate");
+    return true;
+  } catch (const FileValueError&) {
+    return true;
+  } catch (const FileError&) {
+    return false;
+  }
 }
 
 /// Whether the line consists of two numbers; goes to its end.

@@ -37,7 +37,7 @@ void cover_boundary(Mesh& mesh) { cover_boundary(mesh, HalfEdges(mesh)); }
 void cover_boundary(Mesh& mesh, const HalfEdges& half_edges) {
   const std::vector<BoundarySide> sides = boundary_sides(mesh, half_edges);
   if (std::ranges::any_of(sides, [](const BoundarySide& side) { return side.edge < 0; }))
-    refuse_hanging_vertices(mesh.points, sides);
+    refuse_hanging_vertices(mesh, sides);
   for (const BoundarySide& side : sides) {
     const std::array ends{side.from, side.to};
     if (side.edge < 0) {

@@ -19,7 +19,7 @@ namespace {
 Domain domain_of_edges(Mesh mesh) {
   Domain domain;
   domain.inside = Inside::EvenOdd;
-  domain.first_number = 1;  // as Medit and Gmsh count
+  domain.first_number = mesh.first_number;
   domain.segments.reserve(mesh.edges.size());
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     domain.segments.push_back({mesh.edges[i][0], mesh.edges[i][1], mesh.labels[i]});

@@ -21,8 +21,8 @@ Domain domain_of_sides(const std::vector<Point>& points, const std::vector<Bound
 
 class HangingSearch {
  public:
-  HangingSearch(const std::vector<Point>& points, const std::vector<BoundarySide>& sides)
-      : points_(points), sides_(sides), rounding_(rounding_of(points)), domain_(domain_of_sides(points, sides)) {}
+  HangingSearch(const Mesh& mesh, const std::vector<BoundarySide>& sides)
+      : mesh_(mesh), sides_(sides), rounding_(rounding_of(mesh.points)), domain_(domain_of_sides(mesh.points, sides)) {}
 
   void run() const {
     const SegmentTree tree(domain_);
@@ -33,7 +33,7 @@ class HangingSearch {
   }
 
  private:
-  const Point& point(int v) const { return points_[at(v)]; }
+  const Point& point(int v) const { return mesh_.points[at(v)]; }
   const BoundarySide& side(int s) const { return sides_[at(s)]; }
 
   bool ends_at(const BoundarySide& side, const Point& p) const { return point(side.from) == p || point(side.to) == p; }
@@ -55,13 +55,14 @@ class HangingSearch {
   }
 
   [[noreturn]] void refuse(int vertex, const BoundarySide& side) const {
-    throw GeometryError("point " + text(vertex) + " at " + text(point(vertex)) + " hangs: it lies inside the side " +
-                            text(side.from) + "-" + text(side.to) + " of triangle " + text(side.triangle) +
+    throw GeometryError("point " + number_text(mesh_, vertex) + " at " + text(point(vertex)) +
+                            " hangs: it lies inside the side " + number_text(mesh_, side.from) + "-" +
+                            number_text(mesh_, side.to) + " of triangle " + number_text(mesh_, side.triangle) +
                             ", of which it is no corner; divide that triangle there",
                         {vertex, side.triangle});
   }
 
-  const std::vector<Point>& points_;
+  const Mesh& mesh_;
   const std::vector<BoundarySide>& sides_;
   double rounding_;
   Domain domain_;
@@ -69,11 +70,11 @@ class HangingSearch {
 
 }  // namespace
 
-void refuse_hanging_vertices(const std::vector<Point>& points, const std::vector<BoundarySide>& sides) {
+void refuse_hanging_vertices(const Mesh& mesh, const std::vector<BoundarySide>& sides) {
   const auto is_usable = [](const Point& p) {
     return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
   };
-  if (std::ranges::all_of(points, is_usable)) HangingSearch(points, sides).run();  // validate() names the others
+  if (std::ranges::all_of(mesh.points, is_usable)) HangingSearch(mesh, sides).run();  // validate() names the others
 }
 
 }  // namespace parmesan

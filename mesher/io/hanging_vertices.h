@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mesher/geometry/point.h"
+#include "mesher/mesh.h"
 
 namespace parmesan {
 
@@ -22,6 +22,6 @@ struct BoundarySide {
 ///                              that are all labelled: those are a boundary on purpose.
 ///
 /// Cost: O(n log n) in the sides, expected.
-void refuse_hanging_vertices(const std::vector<Point>& points, const std::vector<BoundarySide>& sides);
+void refuse_hanging_vertices(const Mesh& mesh, const std::vector<BoundarySide>& sides);
 
 }  // namespace parmesan

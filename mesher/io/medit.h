@@ -14,12 +14,11 @@ namespace parmesan {
 /// Reads a Medit mesh (ASCII .mesh; P. Frey, MEDIT, INRIA RT-0253, 2001).
 ///
 /// Vertices, Edges and Triangles are read with the references of the last two as labels and
-/// regions; those of vertices and other keywords are skipped. The keywords may come in any order, but the first must be
-/// MeshVersionFormatted and the last End: a file without it counts as cut off. In dimension 3 all
-/// z must be 0. Triangles keep the orientation that they have in the file.
-/// Errors: FileError with the line, also for Quadrilaterals and solids; FileValueError where a number is not finite or
-/// refers to nothing.
-/// Cost: O(size); 0.3 s for a million vertices with their triangles.
+/// regions; those of vertices and other keywords are skipped. The keywords may come in any order, Edges and Triangles
+/// several times, but the first must be MeshVersionFormatted and the last End: a file without it counts as cut off. In
+/// dimension 3 all z must be 0. Triangles keep the orientation that they have in the file. Errors: FileError with the
+/// line, also for Quadrilaterals and solids; FileValueError where a number is not finite or refers to nothing. Cost:
+/// O(size); 0.3 s for a million vertices with their triangles.
 Mesh read_medit(const std::string& path);
 
 /// The same from a text; name is what messages call it.

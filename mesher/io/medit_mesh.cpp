@@ -1,5 +1,6 @@
 #include <cassert>
 #include <utility>
+#include <vector>
 
 #include "mesher/io/medit.h"
 #include "mesher/io/medit_keywords.h"
@@ -10,10 +11,10 @@ namespace parmesan {
 namespace {
 
 /// The sections of a Medit mesh may come in any order: those that need another one first are
-/// bookmarked and read at the end.
+/// bookmarked and read at the end. Edges and triangles may come in several, as meshio writes them.
 class MeditMeshReader {
  public:
-  MeditMeshReader(std::string_view text, const std::string& name) : in_(text, name) {}
+  MeditMeshReader(std::string_view text, const std::string& name) : in_(text, name) { mesh_.first_number = 1; }
 
   Mesh read() {
     read_medit_version(in_);
@@ -23,8 +24,8 @@ class MeditMeshReader {
     if (dimension_ == 0) in_.fail("the keyword Dimension is missing");
     if (vertices_.state == State::Missing) in_.fail("the keyword Vertices is missing");
     if (vertices_.state == State::Bookmarked) read_vertices(vertices_.start);
-    if (edges_.state == State::Bookmarked) read_edges(edges_.start);
-    if (triangles_.state == State::Bookmarked) read_triangles(triangles_.start);
+    for (TextReader& in : edges_) read_edges(in);
+    for (TextReader& in : triangles_) read_triangles(in);
     read_required_parts();
     return std::move(mesh_);
   }
@@ -42,9 +43,9 @@ class MeditMeshReader {
     } else if (keyword == "vertices") {
       if (starts(vertices_, dimension_ != 0)) read_vertices(in_);
     } else if (keyword == "edges") {
-      if (starts(edges_, vertices_.state == State::Read)) read_edges(in_);
+      if (can_be_read(edges_)) read_edges(in_);
     } else if (keyword == "triangles") {
-      if (starts(triangles_, vertices_.state == State::Read)) read_triangles(in_);
+      if (can_be_read(triangles_)) read_triangles(in_);
     } else if (keyword == "requiredvertices") {
       starts(required_vertices_, false);
     } else if (keyword == "requirededges") {
@@ -66,6 +67,14 @@ class MeditMeshReader {
     return can_be_read;
   }
 
+  /// Whether one of several sections is to be read at once, after those before it; bookmarks and skips it otherwise.
+  bool can_be_read(std::vector<TextReader>& bookmarks) {
+    if (vertices_.state == State::Read && bookmarks.empty()) return true;
+    bookmarks.push_back(in_);
+    in_.skip_to_keyword();
+    return false;
+  }
+
   void read_vertices(TextReader& in) {
     mesh_.points.resize(static_cast<std::size_t>(in.count("the number of vertices", dimension_ + 1)));
     for (Point& point : mesh_.points) {
@@ -77,20 +86,22 @@ class MeditMeshReader {
   }
 
   void read_edges(TextReader& in) {
-    const auto n = static_cast<std::size_t>(in.count("the number of edges", 3));
-    mesh_.edges.resize(n);
-    mesh_.labels.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t first = mesh_.edges.size();
+    const std::size_t last = first + static_cast<std::size_t>(in.count("the number of edges", 3));
+    mesh_.edges.resize(last);
+    mesh_.labels.resize(last);
+    for (std::size_t i = first; i < last; ++i) {
       for (int& vertex : mesh_.edges[i]) vertex = in.index("the vertex of an edge", 1, mesh_.num_vertices());
       mesh_.labels[i] = in.integer("the edge reference");
     }
   }
 
   void read_triangles(TextReader& in) {
-    const auto n = static_cast<std::size_t>(in.count("the number of triangles", 4));
-    mesh_.triangles.resize(n);
-    mesh_.regions.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t first = mesh_.triangles.size();
+    const std::size_t last = first + static_cast<std::size_t>(in.count("the number of triangles", 4));
+    mesh_.triangles.resize(last);
+    mesh_.regions.resize(last);
+    for (std::size_t i = first; i < last; ++i) {
       for (int& vertex : mesh_.triangles[i]) vertex = in.index("the vertex of a triangle", 1, mesh_.num_vertices());
       mesh_.regions[i] = in.integer("the triangle reference");
     }
@@ -114,8 +125,8 @@ class MeditMeshReader {
   Section required_edges_{State::Missing, in_};
   Section required_triangles_{State::Missing, in_};
   Section vertices_{State::Missing, in_};
-  Section edges_{State::Missing, in_};
-  Section triangles_{State::Missing, in_};
+  std::vector<TextReader> edges_;
+  std::vector<TextReader> triangles_;
   int dimension_ = 0;
   Mesh mesh_;
 };

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "mesher/io/mesh_fields.h"
 #include "mesher/io/msh.h"
@@ -41,13 +42,18 @@ void write_mesh_file(const std::string& path, const Mesh& mesh, const MeshFields
                      const WriteOptions& options = {});
 
 /// Reads a mesh in the format that the suffix names: .mesh, .meshb, .msh, or .node or .ele (reads both, and .edge
-/// where there is one). A mesh seen from below, all of its triangles clockwise, is turned. Errors: FileError with the
-/// line or the byte; FileValueError where a number is not finite or refers to nothing.
+/// where there is one; a .node alone is points). A mesh seen from below, all of its triangles clockwise, is turned.
+/// Errors: FileError with the line or the byte; FileValueError where a number is not finite or refers to nothing.
 Mesh read_mesh_file(const std::string& path);
 
 /// The same with the fields of the file; those of .mesh and .meshb are looked for in .sol and .solb beside them.
+/// Notes tell of those that are older than the mesh by a second or more.
 /// Errors: as read_mesh_file; FileError, too, where there are not as many values as vertices or triangles.
 MeshData read_mesh_data(const std::string& path);
+
+/// What readers of a file that has been written so will miss or mistake, one sentence each: fields and edges that
+/// Triangle's files do not hold, and a .sol or .solb beside a .mesh or .meshb without fields. Cost: O(n).
+std::vector<std::string> notes_on_written(const std::string& path, const Mesh& mesh, const MeshFields& fields = {});
 
 /// Reads a mesh that can be computed on: boundary sides without an edge get one (see cover_boundary).
 /// Errors: as read_mesh_file and validate.

@@ -78,6 +78,7 @@ Mesh parse_meshb(std::string_view bytes, const std::string& name) {
   refuse_other_elements(in);
   if (!in.has(GmfKeyword::Vertices)) in.fail("the keyword Vertices is missing");
   Mesh mesh;
+  mesh.first_number = 1;
   read_vertices(in, mesh);
   read_entities(in, GmfKeyword::Edges, mesh.num_vertices(), mesh.edges, mesh.labels);
   read_entities(in, GmfKeyword::Triangles, mesh.num_vertices(), mesh.triangles, mesh.regions);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -97,9 +98,12 @@ std::vector<int> labels_of(const std::vector<MshGroup>& groups, int dimension, c
   return labels;
 }
 
-/// Leaves out the nodes that no element has; the indices of those that stay.
+/// Leaves out the nodes that no element has; the indices of those that stay. Of points those of a geometry are kept
+/// that are in a group.
 std::vector<int> take_used_nodes(const MshContent& content, Mesh& mesh) {
   std::vector<int> renumbered(content.nodes.size(), -1);
+  for (std::size_t i = 0; mesh.triangles.empty() && i < content.points.nodes.size(); ++i)
+    if (content.points.groups[i].physical != 0) renumbered[at(content.points.nodes[i][0])] = 0;
   for (const auto& line : mesh.edges) {
     for (const int v : line) renumbered[at(v)] = 0;
   }
@@ -151,28 +155,39 @@ void append_plane_value(const MshField& field, std::size_t i, std::vector<double
   }
 }
 
-/// A field with one value for each of our entities; tag_of: the tag of each of them.
-MeshField plane_field(const MshField& field, const std::vector<std::int64_t>& tag_of, const char* what) {
+/// Our entities of one kind, and what messages call one of them.
+struct Entities {
+  const char* name;
+  const std::vector<std::int64_t>& tags;  // of each
+};
+
+/// A field with one value for each of our entities. Nothing, and a note, where it has values on a part of them only.
+std::optional<MeshField> plane_field(const MshField& field, const Entities& entities, std::vector<std::string>& notes) {
   TagMap places;
   for (const std::int64_t tag : field.tags) places.add(tag);
   if (!places.finish()) throw InputError("field '" + field.name + "' has two values at one tag");
   MeshField result{field.name, field.components == 1 ? 1 : (field.components == 3 ? 2 : 3), {}};
-  for (const std::int64_t tag : tag_of) {
+  for (const std::int64_t tag : entities.tags) {
     const int place = places.index(tag);
-    if (place < 0) throw InputError("field '" + field.name + "' has no value at " + what + " " + std::to_string(tag));
+    if (place < 0) {
+      notes.push_back("field '" + field.name + "' is left out: it has no value at " + entities.name + " " +
+                      std::to_string(tag));
+      return std::nullopt;
+    }
     append_plane_value(field, at(place), result.values);
   }
   return result;
 }
 
 /// Of fields of one name, which are time steps, the last one is taken.
-std::vector<MeshField> plane_fields(const std::vector<MshField>& fields, const std::vector<std::int64_t>& tag_of,
-                                    const char* what) {
+std::vector<MeshField> plane_fields(const std::vector<MshField>& fields, const Entities& entities,
+                                    std::vector<std::string>& notes) {
   std::vector<MeshField> result;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const bool has_later_step = std::any_of(fields.begin() + static_cast<std::ptrdiff_t>(i) + 1, fields.end(),
                                             [&](const MshField& later) { return later.name == fields[i].name; });
-    if (!has_later_step) result.push_back(plane_field(fields[i], tag_of, what));
+    if (has_later_step) continue;
+    if (std::optional<MeshField> field = plane_field(fields[i], entities, notes)) result.push_back(std::move(*field));
   }
   return result;
 }
@@ -210,6 +225,7 @@ MeshData mesh_data_of(MshContent content) {
   drop_repeated(content.triangles);
   MeshData data;
   Mesh& mesh = data.mesh;
+  mesh.first_number = 1;
   mesh.labels = labels_of(content.lines.groups, 1, content, mesh.label_names);
   mesh.regions = labels_of(content.triangles.groups, 2, content, mesh.region_names);
   mesh.edges = std::move(content.lines.nodes);
@@ -225,8 +241,8 @@ MeshData mesh_data_of(MshContent content) {
   const std::vector<MshField> marks = take_marks(content.element_fields);
   mesh.required.edges = marked(marks, content.lines.tags);
   mesh.required.triangles = marked(marks, content.triangles.tags);
-  data.fields.points = plane_fields(content.node_fields, node_tags, "node");
-  data.fields.cells = plane_fields(content.element_fields, content.triangles.tags, "triangle");
+  data.fields.points = plane_fields(content.node_fields, {"node", node_tags}, data.notes);
+  data.fields.cells = plane_fields(content.element_fields, {"triangle", content.triangles.tags}, data.notes);
   return data;
 }
 

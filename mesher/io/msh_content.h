@@ -39,6 +39,7 @@ struct MshField {
 struct MshContent {
   TagMap node_tags;
   std::vector<std::array<double, 3>> nodes;
+  MshElements<1> points;
   MshElements<2> lines;
   MshElements<3> triangles;
   std::map<std::pair<int, int>, std::string> physical_names;  // by dimension and number

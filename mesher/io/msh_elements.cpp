@@ -1,5 +1,6 @@
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "mesher/io/msh_sections.h"
@@ -15,7 +16,7 @@ constexpr int point_type = 15;
 struct ElementHead {
   int type;
   std::int64_t tag;
-  MshGroup group;
+  std::optional<MshGroup> group;  // nothing: the element is read over
 };
 
 template <std::size_t N, class ReadNode>
@@ -27,9 +28,10 @@ void read_nodes(MshInput& in, const TagMap& node_tags, const ElementHead& head, 
     node = node_tags.index(node_tag);
     if (node < 0) in.fail_value("there is no node " + std::to_string(node_tag));
   }
+  if (!head.group) return;
   elements.tags.push_back(head.tag);
   elements.nodes.push_back(nodes);
-  elements.groups.push_back(head.group);
+  elements.groups.push_back(*head.group);
 }
 
 template <class ReadNode>
@@ -39,7 +41,7 @@ void read_element(MshInput& in, const ElementHead& head, const ReadNode& read_no
   } else if (head.type == triangle_type) {
     read_nodes(in, content.node_tags, head, read_node, content.triangles);
   } else if (head.type == point_type) {
-    read_node();
+    read_nodes(in, content.node_tags, head, read_node, content.points);
   } else {
     in.fail("has elements of type " + std::to_string(head.type) +
             "; points, lines and triangles of first order (15, 1, 2) are read");
@@ -51,7 +53,7 @@ void read_block(MshInput& in, const MshEntityGroups& groups, MshContent& content
   const int entity = in.integer("the tag of an entity");
   const int type = in.integer("the type of elements");
   const auto found = groups.find({dimension, entity});
-  const MshGroup group{found == groups.end() ? 0 : found->second, entity};
+  const std::optional<MshGroup> group = found == groups.end() ? MshGroup{0, entity} : found->second;
   const std::size_t count = in.count("the number of elements of a block", 2);
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t tag = in.size("the tag of an element");

@@ -32,10 +32,14 @@ class MshReader {
     if (section == "$PhysicalNames") {
       read_msh_names(in_, content_);
     } else if (section == "$Entities" && !in_.is_version_2()) {
-      groups_ = read_msh_entities(in_);
+      read_msh_entities(in_, groups_);
+    } else if (section == "$PartitionedEntities" && !in_.is_version_2()) {
+      read_msh_partitioned_entities(in_, groups_);
     } else if (section == "$Nodes") {
       begin_only_once(has_nodes_);
       read_msh_nodes(in_, content_);
+    } else if (section == "$ParametricNodes") {
+      in_.fail("nodes with parameters are read in format 4.1 only; without Gmsh's Mesh.SaveParametric there are none");
     } else if (section == "$Elements") {
       require(has_nodes_, "$Nodes must come before $Elements");
       begin_only_once(has_elements_);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,18 +13,47 @@
 namespace parmesan {
 namespace {
 
-void read_entity(MshInput& in, int dimension, MshEntityGroups& groups) {
-  const int tag = in.integer("the tag of an entity");
+using EntityCounts = std::array<std::size_t, 4>;  // by dimension
+
+EntityCounts read_entity_counts(MshInput& in) {
+  EntityCounts counts{};
+  for (std::size_t& count : counts) count = in.count("the number of entities", 2);
+  return counts;
+}
+
+/// Its first physical group, 0 where it has none; its bounds and what is around it are read over.
+int read_entity_group(MshInput& in, int dimension) {
   const int num_coordinates = dimension == 0 ? 3 : 6;
   for (int i = 0; i < num_coordinates; ++i) in.real("a bound of an entity");
   const std::size_t num_groups = in.count("the number of groups of an entity", 1);
+  int first = 0;
   for (std::size_t i = 0; i < num_groups; ++i) {
     const int group = read_msh_group(in, "the group of an entity");
-    if (i == 0) groups[{dimension, tag}] = group;
+    if (i == 0) first = group;
   }
-  if (dimension == 0) return;
+  if (dimension == 0) return first;
   const std::size_t num_bounding = in.count("the number of entities around an entity", 1);
   for (std::size_t i = 0; i < num_bounding; ++i) in.integer("an entity around an entity");
+  return first;
+}
+
+void read_entity(MshInput& in, int dimension, MshEntityGroups& groups) {
+  const int tag = in.integer("the tag of an entity");
+  groups[{dimension, tag}] = MshGroup{read_entity_group(in, dimension), tag};
+}
+
+void read_partitioned_entity(MshInput& in, int dimension, MshEntityGroups& groups) {
+  const int tag = in.integer("the tag of an entity");
+  const int parent_dimension = in.integer("the dimension of a parent");
+  const int parent = in.integer("the tag of a parent");
+  const std::size_t num_partitions = in.count("the number of partitions of an entity", 1);
+  for (std::size_t i = 0; i < num_partitions; ++i) in.integer("a partition of an entity");
+  const int physical = read_entity_group(in, dimension);
+  std::optional<MshGroup>& group = groups[{dimension, tag}];
+  if (parent_dimension == dimension)
+    group = MshGroup{physical, parent};
+  else
+    group.reset();
 }
 
 /// The first of the strings with which a field begins.
@@ -66,16 +96,26 @@ void read_msh_names(MshInput& in, MshContent& content) {
   }
 }
 
-MshEntityGroups read_msh_entities(MshInput& in) {
-  MshEntityGroups groups;
+void read_msh_entities(MshInput& in, MshEntityGroups& groups) {
   in.start_numbers();
-  std::array<std::size_t, 4> counts{};
-  for (std::size_t& count : counts) count = in.count("the number of entities", 2);
-  for (int dimension = 0; dimension < 4; ++dimension) {
+  const EntityCounts counts = read_entity_counts(in);
+  for (int dimension = 0; dimension < 4; ++dimension)
     for (std::size_t i = 0; i < counts[at(dimension)]; ++i) read_entity(in, dimension, groups);
-  }
   in.end_numbers();
-  return groups;
+}
+
+void read_msh_partitioned_entities(MshInput& in, MshEntityGroups& groups) {
+  in.start_numbers();
+  in.size("the number of partitions");
+  const std::size_t num_ghosts = in.count("the number of ghost entities", 2);
+  for (std::size_t i = 0; i < num_ghosts; ++i) {
+    in.integer("the tag of a ghost entity");
+    in.integer("the partition of a ghost entity");
+  }
+  const EntityCounts counts = read_entity_counts(in);
+  for (int dimension = 0; dimension < 4; ++dimension)
+    for (std::size_t i = 0; i < counts[at(dimension)]; ++i) read_partitioned_entity(in, dimension, groups);
+  in.end_numbers();
 }
 
 MshField read_msh_field(MshInput& in) {

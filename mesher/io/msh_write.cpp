@@ -1,25 +1,17 @@
 #include <algorithm>
 #include <cassert>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mesher/index.h"
 #include "mesher/io/msh.h"
+#include "mesher/io/msh_entities.h"
 #include "mesher/io/msh_numbers.h"
 #include "mesher/io/output_file.h"
 #include "mesher/io/picture/view.h"
 
 namespace parmesan {
 namespace {
-
-/// The entity, and physical group, of one label or region.
-struct Group {
-  int number = 0;            // Gmsh's, from 1
-  std::string name;          // empty: none
-  std::vector<int> members;  // edges or triangles
-};
 
 /// Double quotes would end the name; line ends are for the reader's comfort.
 std::string quoted(std::string name) {
@@ -30,25 +22,6 @@ std::string quoted(std::string name) {
   return '"' + name + '"';
 }
 
-/// The groups of these labels, ascending; those below 1 get the next free numbers.
-std::vector<Group> groups_of(const std::vector<int>& labels, const LabelNames& names) {
-  std::map<int, Group> by_label;
-  for (std::size_t i = 0; i < labels.size(); ++i) by_label[labels[i]].members.push_back(static_cast<int>(i));
-  int next_free = 1;
-  const auto take_free = [&by_label, &next_free] {
-    while (by_label.contains(next_free)) ++next_free;
-    return next_free++;
-  };
-  std::vector<Group> groups;
-  for (auto& [label, group] : by_label) {
-    const bool has_name = names.contains(label);
-    group.number = label < 1 ? take_free() : label;
-    if (has_name || label < 1) group.name = label_name(names, label);
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
 class MshWriter {
  public:
   MshWriter(const std::string& path, const Mesh& mesh, Encoding encoding)
@@ -56,8 +29,9 @@ class MshWriter {
         numbers_(out_, encoding),
         mesh_(mesh),
         encoding_(encoding),
-        lines_(groups_of(mesh.labels, mesh.label_names)),
-        surfaces_(groups_of(mesh.regions, mesh.region_names)) {}
+        points_(msh_entity_of_isolated_points(mesh)),
+        lines_(msh_entities_of(mesh.labels, mesh.label_names)),
+        surfaces_(msh_entities_of(mesh.regions, mesh.region_names)) {}
 
   void write(const MeshFields& fields) {
     write_format();
@@ -82,42 +56,54 @@ class MshWriter {
   }
 
   void write_names() {
-    const auto has_name = [](const Group& group) { return !group.name.empty(); };
+    const auto has_name = [](const MshEntity& group) { return !group.name.empty(); };
     const auto count = std::count_if(lines_.begin(), lines_.end(), has_name) +
                        std::count_if(surfaces_.begin(), surfaces_.end(), has_name);
     if (count == 0) return;
     out_ << "$PhysicalNames\n" << static_cast<std::size_t>(count) << '\n';
-    for (const Group& group : lines_) write_name(1, group);
-    for (const Group& group : surfaces_) write_name(2, group);
+    for (const MshEntity& group : lines_) write_name(1, group);
+    for (const MshEntity& group : surfaces_) write_name(2, group);
     out_ << "$EndPhysicalNames\n";
   }
 
-  void write_name(int dimension, const Group& group) {
+  void write_name(int dimension, const MshEntity& group) {
     if (!group.name.empty()) out_ << dimension << ' ' << group.number << ' ' << quoted(group.name) << '\n';
   }
 
   void write_entities() {
     out_ << "$Entities\n";
-    numbers_.size(0);
+    numbers_.size(points_.size());
     numbers_.size(lines_.size());
     numbers_.size(surfaces_.size());
     numbers_.size(0);
     numbers_.end_row();
     const Bounds bounds = bounds_of(mesh_);
-    for (const Group& group : lines_) write_entity(group, bounds);
-    for (const Group& group : surfaces_) write_entity(group, bounds);
+    for (const MshEntity& group : points_) write_point_entity(group);
+    for (const MshEntity& group : lines_) write_entity(group, bounds);
+    for (const MshEntity& group : surfaces_) write_entity(group, bounds);
     numbers_.finish();
     out_ << "$EndEntities\n";
   }
 
-  /// With the bounds of the whole mesh, and nothing around it: Gmsh works them out.
-  void write_entity(const Group& group, const Bounds& bounds) {
+  void write_point_entity(const MshEntity& group) {
     numbers_.integer(group.number);
-    for (const Point& p : {bounds.low, bounds.high}) {
-      numbers_.real(p.x);
-      numbers_.real(p.y);
-      numbers_.real(0.0);
-    }
+    write_place(mesh_.points[at(group.members.front())]);
+    numbers_.size(1);
+    numbers_.integer(group.number);
+    numbers_.end_row();
+  }
+
+  void write_place(const Point& p) {
+    numbers_.real(p.x);
+    numbers_.real(p.y);
+    numbers_.real(0.0);
+  }
+
+  /// With the bounds of the whole mesh, and nothing around it: Gmsh works them out.
+  void write_entity(const MshEntity& group, const Bounds& bounds) {
+    numbers_.integer(group.number);
+    write_place(bounds.low);
+    write_place(bounds.high);
     numbers_.size(1);
     numbers_.integer(group.number);
     numbers_.size(0);
@@ -143,7 +129,7 @@ class MshWriter {
   }
 
   void write_block_of_nodes() {
-    const std::vector<Group>& owners = surfaces_.empty() ? lines_ : surfaces_;
+    const std::vector<MshEntity>& owners = surfaces_.empty() ? lines_ : surfaces_;
     numbers_.integer(surfaces_.empty() ? 1 : 2);
     numbers_.integer(owners.empty() ? 1 : owners.front().number);
     numbers_.integer(0);
@@ -154,30 +140,46 @@ class MshWriter {
       numbers_.end_row();
     }
     for (const Point& p : mesh_.points) {
-      numbers_.real(p.x);
-      numbers_.real(p.y);
-      numbers_.real(0.0);
+      write_place(p);
       numbers_.end_row();
     }
   }
 
   void write_elements() {
     out_ << "$Elements\n";
-    write_counts(lines_.size() + surfaces_.size(), mesh_.edges.size() + mesh_.triangles.size());
-    for (const Group& group : lines_) write_block(1, 1, group, mesh_.edges, 1);
-    for (const Group& group : surfaces_) write_block(2, 2, group, mesh_.triangles, mesh_.edges.size() + 1);
+    const std::size_t num_points = points_.empty() ? 0 : points_.front().members.size();
+    write_counts(points_.size() + lines_.size() + surfaces_.size(),
+                 num_points + mesh_.edges.size() + mesh_.triangles.size());
+    for (const MshEntity& group : points_) write_points(group);
+    for (const MshEntity& group : lines_) write_block(1, 1, group, mesh_.edges, 1);
+    for (const MshEntity& group : surfaces_) write_block(2, 2, group, mesh_.triangles, mesh_.edges.size() + 1);
     numbers_.finish();
     out_ << "$EndElements\n";
   }
 
-  template <std::size_t N>
-  void write_block(int dimension, int type, const Group& group, const std::vector<std::array<int, N>>& elements,
-                   std::size_t first_tag) {
+  /// Tagged after the lines, to which fields and marks count from 1.
+  void write_points(const MshEntity& group) {
+    write_block_head(0, 15, group);
+    std::size_t tag = mesh_.edges.size();
+    for (const int v : group.members) {
+      numbers_.size(++tag);
+      numbers_.size(static_cast<std::size_t>(v) + 1);
+      numbers_.end_row();
+    }
+  }
+
+  void write_block_head(int dimension, int type, const MshEntity& group) {
     numbers_.integer(dimension);
     numbers_.integer(group.number);
     numbers_.integer(type);
     numbers_.size(group.members.size());
     numbers_.end_row();
+  }
+
+  template <std::size_t N>
+  void write_block(int dimension, int type, const MshEntity& group, const std::vector<std::array<int, N>>& elements,
+                   std::size_t first_tag) {
+    write_block_head(dimension, type, group);
     for (const int i : group.members) {
       numbers_.size(first_tag + static_cast<std::size_t>(i));
       for (const int vertex : elements[at(i)]) numbers_.size(static_cast<std::size_t>(vertex) + 1);
@@ -217,8 +219,9 @@ class MshWriter {
   MshNumbers numbers_;
   const Mesh& mesh_;
   Encoding encoding_;
-  std::vector<Group> lines_;
-  std::vector<Group> surfaces_;
+  std::vector<MshEntity> points_;  // none or one
+  std::vector<MshEntity> lines_;
+  std::vector<MshEntity> surfaces_;
 };
 
 }  // namespace

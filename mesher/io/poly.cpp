@@ -1,6 +1,3 @@
-#include <cmath>
-#include <limits>
-
 #include "mesher/errors.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
@@ -41,14 +38,6 @@ void read_holes(TextReader& in, Domain& domain) {
   }
 }
 
-int read_region_number(TextReader& in) {
-  const double value = real_on_line(in, "the attribute of a region");
-  if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
-    in.fail("the attribute of a region must be a whole number within 32 bits");
-  }
-  return static_cast<int>(value);
-}
-
 void read_regions(TextReader& in, Domain& domain) {
   const int count = in.count("the number of regions", 4);
   in.skip_line();
@@ -57,7 +46,7 @@ void read_regions(TextReader& in, Domain& domain) {
     in.integer("the number of a region");
     seed.point.x = real_on_line(in, "the x coordinate of a region");
     seed.point.y = real_on_line(in, "the y coordinate of a region");
-    seed.region = read_region_number(in);
+    seed.region = region_on_line(in);
     in.skip_line();
   }
 }

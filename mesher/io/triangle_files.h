@@ -26,7 +26,8 @@ void check_without_cracks(const std::string& path, const Domain& domain);
 /// Errors: FileError, also for what .poly cannot express: a domain by the even-odd rule, curves, cracks.
 void write_poly(const std::string& path, const Domain& domain);
 
-/// Reads PATH.node, PATH.ele and, where there is one, PATH.edge, for a path with any suffix.
+/// Reads PATH.node, PATH.ele and, where there is one, PATH.edge, for a path with any suffix. A .node without an .ele
+/// beside it is points alone.
 ///
 /// Of the edges those are taken that have a marker or lie on the boundary; boundary edges are
 /// turned to have the triangle to their left. Triangles with one attribute have it as region.

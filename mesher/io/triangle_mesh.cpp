@@ -25,7 +25,7 @@ void read_ele(TextReader& in, const TriangleNodes& nodes, Mesh& mesh) {
     start_row(in, nodes.base, i);
     const auto triangle = static_cast<std::size_t>(i);
     for (int& vertex : mesh.triangles[triangle]) vertex = index_on_line(in, "the vertex of a triangle", nodes);
-    if (has_region) mesh.regions[triangle] = integer_on_line(in, "the region");
+    if (has_region) mesh.regions[triangle] = region_on_line(in);
     in.skip_line();
   }
   in.require_end("the triangles");
@@ -108,6 +108,7 @@ Mesh parse_triangle_mesh(std::string_view node_text, std::string_view ele_text, 
     read_edge(edge_in, nodes, mesh);
   }
   mesh.points = std::move(nodes.points);
+  mesh.first_number = nodes.base;
   return mesh;
 }
 
@@ -116,8 +117,10 @@ Mesh read_triangle_mesh(const std::string& path) {
   std::error_code ignored;
   const bool has_edges = std::filesystem::exists(edge_path, ignored);
   const std::string edge_text = has_edges ? read_file(edge_path) : "";
-  return parse_triangle_mesh(read_file(with_suffix(path, ".node")), read_file(with_suffix(path, ".ele")), edge_text,
-                             with_suffix(path, ""));
+  const std::string ele_path = with_suffix(path, ".ele");
+  const bool is_cloud = file_suffix(path) == ".node" && !std::filesystem::exists(ele_path, ignored);
+  const std::string ele_text = is_cloud ? "0 3 0\n" : read_file(ele_path);
+  return parse_triangle_mesh(read_file(with_suffix(path, ".node")), ele_text, edge_text, with_suffix(path, ""));
 }
 
 void write_triangle_mesh(const std::string& path, const Mesh& mesh) {

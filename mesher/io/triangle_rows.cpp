@@ -1,5 +1,8 @@
 #include "mesher/io/triangle_rows.h"
 
+#include <cmath>
+#include <limits>
+
 #include "mesher/index.h"
 
 namespace parmesan {
@@ -24,6 +27,13 @@ double real_on_line(TextReader& in, const char* what) {
 int index_on_line(TextReader& in, const char* what, const TriangleNodes& nodes) {
   require_more(in, what);
   return in.index(what, nodes.base, nodes.size());
+}
+
+int region_on_line(TextReader& in) {
+  const double value = real_on_line(in, "the attribute of a region");
+  if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+    in.fail("the attribute of a region must be a whole number within 32 bits");
+  return static_cast<int>(value);
 }
 
 int integer_on_line_or(TextReader& in, const char* what, int absent) {

@@ -21,6 +21,9 @@ int integer_on_line(TextReader& in, const char* what);
 double real_on_line(TextReader& in, const char* what);
 int index_on_line(TextReader& in, const char* what, const TriangleNodes& nodes);
 
+/// The number of a region: an attribute, real in Triangle's files, that must be whole. Errors: FileError.
+int region_on_line(TextReader& in);
+
 /// The same, or the value for an absent one when the line ends.
 int integer_on_line_or(TextReader& in, const char* what, int absent);
 

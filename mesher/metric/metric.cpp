@@ -4,13 +4,16 @@
 #include <string>
 
 #include "mesher/errors.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
 
 void require_size(double h) {
-  if (!(std::isfinite(h) && h > 0.0))
-    throw InputError("a mesh size must be finite and positive, not " + std::to_string(h));
+  if (!(std::isfinite(h) && h > 0.0)) throw InputError("a mesh size must be finite and positive, not " + text(h));
+  const double inverse_square = 1.0 / (h * h);
+  if (!(std::isfinite(inverse_square) && inverse_square > 0.0))
+    throw InputError("a mesh size must have a square that is a number, not " + text(h));
 }
 
 }  // namespace
@@ -26,8 +29,8 @@ Metric Metric::from_sizes(double h1, double h2, double angle) {
 Metric Metric::from_tensor(const SymmetricTensor& t) {
   const bool finite = std::isfinite(t.xx) && std::isfinite(t.xy) && std::isfinite(t.yy);
   if (!finite || t.xx <= 0.0 || t.yy <= 0.0 || eigenvalues(t).second <= 0.0) {
-    throw InputError("a metric must be finite and positive definite, not [" + std::to_string(t.xx) + " " +
-                     std::to_string(t.xy) + "; " + std::to_string(t.xy) + " " + std::to_string(t.yy) + "]");
+    throw InputError("a metric must be finite and positive definite, not [" + text(t.xx) + " " + text(t.xy) + "; " +
+                     text(t.xy) + " " + text(t.yy) + "]");
   }
   return Metric(t);
 }

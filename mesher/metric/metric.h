@@ -14,11 +14,11 @@ class Metric {
   /// The identity: size 1 in every direction.
   constexpr Metric() = default;
 
-  /// Size h in every direction. Errors: InputError unless h is finite and positive.
+  /// Size h in every direction. Errors: InputError unless h and its square are finite and positive.
   static Metric isotropic(double h);
 
   /// Sizes h1 along the unit vector at the angle and h2 across it (thesis 5.1, corrected).
-  /// Units: angle in radians. Errors: InputError unless both sizes are finite and positive.
+  /// Units: angle in radians. Errors: as isotropic, for both sizes.
   static Metric from_sizes(double h1, double h2, double angle);
 
   /// Errors: InputError unless t is finite and positive definite.

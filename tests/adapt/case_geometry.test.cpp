@@ -321,6 +321,29 @@ TEST_CASE("regions that share a name are meant together", "[adapt][case]") {
   CHECK(required("one.geojson", "lake") == 1);  // the whole domain, which has no seed
 }
 
+TEST_CASE("a merge tolerance makes a border of features a little apart, also within an operation", "[adapt][case]") {
+  const TemporaryFolder folder;
+  folder.write("two.geojson", R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "a"}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0,0],[1,0],[1,1],[0,1],[0,0]]]}},
+    {"type": "Feature", "properties": {"name": "b"}, "geometry":
+      {"type": "Polygon", "coordinates": [[[1.0000001,0],[2,0],[2,1],[1.0000001,1],[1.0000001,0]]]}}]})");
+  const std::string file = R"("file": "two.geojson")";
+  const std::string far = R"({"rectangle": {"min": [5, 0], "max": [6, 1]}})";
+  for (const std::string& shape : {file, R"("union": [{)" + file + "}, " + far + "]"}) {
+    const Case read = parse_case(R"({"geometry": {)" + shape + R"(, "merge_tolerance": 1e-6},
+                                     "problem": {"interpolate": "x"}})",
+                                 folder / "case.json");
+    const Domain& domain = read.domain;
+    for (const Segment& s : domain.segments) {
+      const auto is_on_seam = [&](int p) {
+        return std::abs(domain.points[static_cast<std::size_t>(p)].x - 1.0) < 1e-5;
+      };
+      CHECK((label_name(domain.label_names, s.label) == "a|b") == (is_on_seam(s.a) && is_on_seam(s.b)));
+    }
+  }
+}
+
 TEST_CASE("holes lie apart and inside of the domain", "[adapt][case][errors]") {
   const std::string square = R"("rectangle": {"min": [-1, -1], "max": [1, 1]}, "holes": )";
   const std::string disc = R"({"disc": {"radius": 0.5}})";

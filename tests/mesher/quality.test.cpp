@@ -1,5 +1,6 @@
 #include "mesher/quality.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -66,6 +67,38 @@ TEST_CASE("the worst triangle is named, corners sharper than 30 degrees set asid
   CHECK(q.quality_min < 0.2);
   // The right isosceles triangle with legs s: 4 sqrt3 (s^2 / 2) / (4 s^2) = sqrt3 / 2.
   CHECK(q.quality_min_away_from_corners == Approx(std::sqrt(0.75)).epsilon(1e-9));
+}
+
+TEST_CASE("a corner is sharp where neighbouring edges are, in whatever order edges are listed", "[mesher][quality]") {
+  // A square with an edge inside, at 3 degrees to its lower side: all triangles meet in this corner.
+  Mesh mesh;
+  mesh.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {1.0, 0.05}};
+  mesh.triangles = {{0, 1, 4}, {0, 4, 2}, {0, 2, 3}};
+  mesh.regions = {0, 0, 0};
+  mesh.edges = {{0, 1}, {1, 4}, {4, 2}, {2, 3}, {3, 0}, {0, 4}};
+  mesh.labels = {1, 1, 1, 1, 1, 2};
+  for (int i = 0; i < 6; ++i) {
+    std::rotate(mesh.edges.begin(), mesh.edges.begin() + 1, mesh.edges.end());
+    CHECK(measure_quality(mesh).quality_min_away_from_corners == 1.0);  // that of no triangle
+  }
+  // At 45 degrees it leaves no sharp corner.
+  mesh.points[4] = {1.0, 0.999};
+  mesh.points[2] = {0.999, 1.0};
+  const MeshQuality q = measure_quality(mesh);
+  CHECK(q.quality_min_away_from_corners < 0.1);
+}
+
+TEST_CASE("a corner that is sharp outside of the domain is none", "[mesher][quality]") {
+  // A square with a notch of 5.7 degrees from its upper side to the middle.
+  Mesh mesh;
+  mesh.points = {{2.0, 2.0}, {2.1, 4.0}, {1.9, 4.0}, {0.0, 4.0}, {0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}};
+  mesh.triangles = {{0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}};
+  mesh.regions.assign(5, 0);
+  mesh.edges = {{0, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 1}, {1, 0}};
+  mesh.labels.assign(7, 1);
+  const MeshQuality q = measure_quality(mesh);
+  CHECK(q.quality_min_away_from_corners == q.quality_min);
+  CHECK(q.quality_min < 0.9);
 }
 
 TEST_CASE("measure_quality wants one metric per vertex", "[mesher][quality][errors]") {

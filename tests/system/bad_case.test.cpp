@@ -169,7 +169,7 @@ TEST_CASE("a mesh that cannot be computed on ends with 4 and the reason, whereve
   const std::string corners = "Vertices 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   const std::string with_midpoint = "Vertices 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 0\n";
   const Unsound mesh = GENERATE_REF(values<Unsound>({
-      {"inverted", corners, "Triangles 2\n1 2 3 1\n1 4 3 1\n", "both have the side 0-2"},
+      {"inverted", corners, "Triangles 2\n1 2 3 1\n1 4 3 1\n", "both have the side 1-3"},
       {"twice the same", corners, "Triangles 3\n1 2 3 1\n1 3 4 1\n1 3 4 1\n", "side"},
       {"orphan", with_midpoint, "Triangles 2\n1 2 3 1\n1 3 4 1\n", "belongs to no triangle"},
       {"flat", corners, "Triangles 3\n1 2 3 1\n1 3 4 1\n1 1 2 1\n", ""},

@@ -58,6 +58,27 @@ TEST_CASE("A mesh with its fields goes through every format and comes back the s
   }
 }
 
+TEST_CASE("convert tells of fields from before beside a mesh without any, and of fields on a part of a mesh",
+          "[system][convert]") {
+  const TemporaryFolder folder;
+  folder.write("a.mesh", square_mesh);
+  folder.write("b.sol", field_sol);
+  const ProgramResult written = run_program({"convert", folder / "a.mesh", folder / "b.mesh"});
+  CHECK(written.exit_code == 0);
+  CHECK_THAT(written.err, Catch::Contains("warning") && Catch::Contains("b.sol is there from before"));
+  CHECK(content_of(folder / "b.sol") == field_sol);
+  const ProgramResult made = run_program({"mesh", folder / "a.mesh", "--size", "0.5", "-o", folder / "b.mesh"});
+  CHECK_THAT(made.err, Catch::Contains("b.sol is there from before"));
+  folder.write("part.msh",
+               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n"
+               "$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n"
+               "$NodeData\n1\n\"u\"\n0\n3\n0\n1\n2\n1 5\n2 6\n$EndNodeData\n");
+  const ProgramResult part = run_program({"convert", folder / "part.msh", folder / "part.mesh"});
+  CHECK(part.exit_code == 0);
+  CHECK_THAT(part.err, Catch::Contains("field 'u' is left out: it has no value at node 3"));
+  CHECK(run_program({"quality", folder / "part.msh"}).err.empty());
+}
+
 TEST_CASE("A solution becomes binary and text again", "[system][convert]") {
   const TemporaryFolder folder;
   folder.write("a.sol", field_sol);

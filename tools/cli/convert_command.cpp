@@ -18,6 +18,7 @@
 #include "tools/cli/common_options.h"
 #include "tools/cli/domain_input.h"
 #include "tools/cli/naming_file.h"
+#include "tools/cli/results.h"
 
 namespace parmesan {
 namespace {
@@ -64,15 +65,21 @@ bool is_geometry(const ConvertArguments& arguments) {
   return is_any_domain_file_name(arguments.in) || file_suffix(arguments.out) == ".poly";
 }
 
+void write(const ConvertArguments& arguments, const Mesh& mesh, const MeshFields& fields) {
+  write_any_mesh(arguments.out, mesh, fields, arguments.write);
+  warn_of_written(arguments.out, mesh, fields);
+}
+
 void convert_geometry(const ConvertArguments& arguments) {
   const Domain domain = read_domain(arguments.in, arguments.repair);
   if (file_suffix(arguments.out) == ".poly") return write_poly(arguments.out, with_seeds_and_chords(domain));
-  write_any_mesh(arguments.out, triangulated(domain), {}, arguments.write);
+  write(arguments, triangulated(domain), {});
 }
 
 void convert_mesh(const ConvertArguments& arguments) {
   const MeshData data = read_mesh_data(arguments.in);
-  write_any_mesh(arguments.out, data.mesh, data.fields, arguments.write);
+  for (const std::string& note : data.notes) print_warning(note);
+  write(arguments, data.mesh, data.fields);
 }
 
 /// Options that the format of OUT has no use for. Empty: none.

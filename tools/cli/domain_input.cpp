@@ -30,7 +30,8 @@ namespace {
 GeometryInput read_input(const std::string& path, const RepairOptions& options) {
   if (file_suffix(path) == ".json")
     if (std::optional<GeometryInput> input = read_case_geometry(path)) return std::move(*input);
-  return read_geometry_input(path, options.split_crossings ? Crossings::Split : Crossings::Refuse);
+  return read_geometry_input(path, options.split_crossings ? Crossings::Split : Crossings::Refuse,
+                             options.merge_tolerance);
 }
 
 /// What those who take a mended domain will find and say too.

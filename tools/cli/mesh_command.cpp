@@ -152,7 +152,10 @@ ExitCode mesh(const MeshArguments& arguments) {
   });
   print_warnings(result.report.warnings);
   if (arguments.common.verbose) std::cerr << "complexity " << short_number(result.report.complexity) << std::endl;
-  for (const std::string& output : arguments.outputs) write_any_mesh(output, result.mesh);
+  for (const std::string& output : arguments.outputs) {
+    write_any_mesh(output, result.mesh);
+    warn_of_written(output, result.mesh);
+  }
   for (const std::string& output : arguments.voronoi) write_voronoi(output, result.mesh);
   if (evolution) evolution->finish(result.mesh);
   const Diagnosis& diagnosis = result.report.diagnosis;

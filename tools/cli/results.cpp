@@ -5,7 +5,9 @@
 #include <ostream>
 
 #include "adapt/number_text.h"
+#include "mesher/io/mesh_file.h"
 #include "tools/cli/escape.h"
+#include "tools/cli/exit_code.h"
 
 namespace parmesan {
 namespace {
@@ -100,6 +102,10 @@ bool all_passed(std::ostream& out, std::span<const Verdict> verdicts) {
     out << (verdict.passed ? "passed: " : "MISSED: ") << escape_control(verdict.message) << "\n";
   }
   return std::all_of(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return verdict.passed; });
+}
+
+void warn_of_written(const std::string& path, const Mesh& mesh, const MeshFields& fields) {
+  for (const std::string& note : notes_on_written(path, mesh, fields)) print_warning(note);
 }
 
 void print_mesh_summary(std::ostream& out, const GenerateResult& made, const MeshQuality& quality) {

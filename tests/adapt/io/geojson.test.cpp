@@ -1,7 +1,11 @@
 #include "adapt/io/geojson.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
@@ -109,6 +113,48 @@ TEST_CASE("Rings of one feature that run together leave no side inside of it", "
   }
 }
 
+TEST_CASE("A merge tolerance makes one border of rings a little apart, as if they had been drawn so",
+          "[adapt][io][geojson]") {
+  constexpr double tolerance = 1e-6;
+  const auto length_by_name = [](const Domain& domain) {
+    const Mesh mesh = delaunay_mesh(domain).mesh;
+    std::map<std::string, double> sum;
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+      const auto end = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.edges[e][k])]; };
+      sum[parmesan::label_name(mesh.label_names, mesh.labels[e])] +=
+          std::hypot(end(1).x - end(0).x, end(1).y - end(0).y);
+    }
+    return sum;
+  };
+  const auto merged = [](const std::string& text) {
+    return parse_geojson(text, "t.geojson", parmesan::Crossings::Refuse, tolerance);
+  };
+  const std::string left = "[[0,0],[1,0],[1,1],[0,1],[0,0]]";
+  const std::string right = "[[1.0000001,0],[2,0],[2,1],[1.0000001,1],[1.0000001,0]]";
+
+  SECTION("of two features") {
+    const Domain domain = merged(collection(feature("a", polygon(left)) + "," + feature("b", polygon(right))));
+    const std::map<std::string, double> lengths = length_by_name(domain);
+    REQUIRE(lengths.size() == 3);
+    for (const auto& [name, length] : std::map<std::string, double>{{"a", 3.0}, {"b", 3.0}, {"a|b", 1.0}})
+      CHECK(lengths.at(name) == Approx(length).epsilon(1e-6));
+  }
+  SECTION("of one") {
+    const Domain domain = merged(R"({"type":"MultiPolygon","coordinates":[[)" + left + "],[" + right + "]]}");
+    const std::map<std::string, double> lengths = length_by_name(domain);
+    REQUIRE(lengths.size() == 1);
+    CHECK(lengths.at("boundary") == Approx(6.0).epsilon(1e-6));
+    CHECK_THAT(delaunay_mesh(domain).repairs.at(0), Catch::Contains("by the tolerance 1e-06 merged 2 points"));
+  }
+  SECTION("which is told of once where rings do not run together") {
+    const std::vector<std::string> repairs =
+        delaunay_mesh(merged(polygon("[[0,0],[1,0],[1.0000001,0],[1,1],[0,1],[0,0]]"))).repairs;
+    CHECK_THAT(repairs.at(0), Catch::Contains("by the tolerance 1e-06 merged 1 point"));
+    CHECK(std::count_if(repairs.begin(), repairs.end(),
+                        [](const std::string& repair) { return repair.find("merged") != std::string::npos; }) == 1);
+  }
+}
+
 TEST_CASE("Features whose rings cross are refused, or split there", "[adapt][io][geojson]") {
   const std::string shifted = feature("shifted", polygon("[[3,3],[6,3],[6,6],[3,6],[3,3]]"));
   const std::string text = collection(feature("first", polygon(square)) + "," + shifted);
@@ -161,6 +207,8 @@ TEST_CASE("Faults of a GeoJSON text are refused with line and pointer", "[adapt]
   CHECK_THAT(message_of(collection("\n" + feature("a", "{\"type\":\"Polygon\",\n\"coordinates\":[[[0,0],\n[1]]]}"))),
              Contains("t.geojson:4: /features/0/geometry/coordinates/0/1 must be two numbers"));
   CHECK_THAT(message_of(collection("")), Contains("has no polygons"));
+  CHECK_THAT(message_of(collection("\n" + feature("a", polygon(square)).insert(1, "\n\"type\":\"Point\",\n"))),
+             Contains("t.geojson:4: /features/0/type is given twice"));
   CHECK_THAT(message_of(polygon("[[0,0],[1e999,0],[0,1]]")), Contains("double precision"));
   CHECK_THAT(message_of(std::string(100000, '[')), Contains("too deep"));
   CHECK_THROWS_AS(

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "mesher/delaunay_mesh.h"
+#include "mesher/errors.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/validate.h"
 #include "tests/mesher/io/error_line.h"
@@ -31,6 +32,20 @@ TEST_CASE("A Selig airfoil is a domain with its trailing edge closed", "[mesher]
   CHECK(sharp.points.size() == 4);
   CHECK(sharp.segments.size() == 4);
   CHECK(sharp.segments[3].label == 1);
+}
+
+TEST_CASE("The first row of an airfoil without a title counts in whatever way its numbers are written",
+          "[mesher][io][airfoil]") {
+  const std::string rest = "0.5 0.1\n0 0\n0.5 -0.1\n";
+  for (const char* first : {"1 0.01", "+1.0 1d-2", "1.0D+00 1.0D-02", "1E0 .01", "10.0d-1 +1.E-2"}) {
+    CAPTURE(first);
+    CHECK(parse(first + ("\n" + rest)).points == parse("a title\n1 0.01\n" + rest).points);
+  }
+  for (const char* title : {"NACA 12", "1.0D+00D 0", "d e", "1 0 0"}) {
+    CAPTURE(title);
+    CHECK(parse(title + ("\n" + rest)).points.size() == 3);
+  }
+  CHECK_THROWS_AS(parse("nan 0\n" + rest), parmesan::FileError);
 }
 
 TEST_CASE("Lednicer's form gives the same outline as Selig's", "[mesher][io][airfoil]") {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mesher/errors.h"
+#include "mesher/io/boundary_edges.h"
 #include "tests/mesher/io/error_line.h"
 #include "tests/mesher/io/sample_mesh.h"
 #include "tests/support/temporary_folder.h"
@@ -69,6 +70,37 @@ TEST_CASE("The sections of a Medit mesh may come in any order", "[mesher][io][me
   check_triangle(parse_mesh(head + vertices + edges + triangles + "End\n"));
   check_triangle(parse_mesh(head + triangles + edges + vertices + "End"));
   check_triangle(parse_mesh("MeshVersionFormatted 1\n" + edges + vertices + triangles + "Dimension\n2\nEnd\n"));
+}
+
+TEST_CASE("Edges and triangles may come in several sections, numbered through", "[mesher][io][medit]") {
+  const std::string split_edges = "Edges 1\n1 2 10\n";
+  const std::string more_edges = "Edges 1\n2 3 -4\n";
+  const std::string required = "RequiredEdges 1\n2\n";
+  for (const std::string& text : {split_edges + vertices + more_edges, split_edges + more_edges + vertices,
+                                  vertices + split_edges + more_edges}) {
+    const Mesh mesh = parse_mesh(head + required + "Triangles 0\n" + text + triangles + "End\n");
+    check_triangle(mesh);
+    CHECK(mesh.required.edges == std::vector<int>{1});
+  }
+}
+
+TEST_CASE("What is wrong with a mesh is told in the numbers of its file", "[mesher][io][medit][errors]") {
+  const auto message_of = [](const std::string& parts) -> std::string {
+    Mesh mesh = parse_mesh(head + "Vertices 4\n0 0 0\n1 0 0\n0 1 5\n7 7 0\n" + parts + "End\n");
+    try {
+      parmesan::complete(mesh);
+    } catch (const parmesan::GeometryError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using Catch::Contains;
+  CHECK_THAT(message_of(triangles), Contains("point 4 belongs to no triangle"));
+  CHECK_THAT(message_of("Triangles 2\n1 2 3 0\n1 4 2 0\nEdges 2\n1 2 5\n2 1 6\n"),
+             Contains("edges 1 and 2 both have the side 1-2; each may occur once, in either direction"));
+  CHECK_THAT(message_of("Triangles 2\n1 2 3 0\n1 2 4 0\n"), Contains("triangles 1 and 2 both have the side 1-2"));
+  CHECK_THAT(message_of("Triangles 2\n1 2 3 0\n2 4 3 0\nEdges 1\n1 4 1\n"), Contains("edge 1 (1-4)"));
+  CHECK_THAT(message_of("Triangles 2\n1 2 3 0\n1 3 4 0\n"), Contains("triangle 2 is clockwise"));
 }
 
 TEST_CASE("The Medit dialects of other programs are understood", "[mesher][io][medit]") {

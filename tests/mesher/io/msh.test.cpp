@@ -1,5 +1,6 @@
 #include "mesher/io/msh.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -112,6 +113,40 @@ TEST_CASE("Format 4.1 is read with groups, parameters, points and gaps in the ta
   CHECK(data.fields.points[0].values == std::vector<double>{1, 2, 3, 4});
 }
 
+TEST_CASE("Parts of a partitioned file have the groups of their parents, borders between parts are left out",
+          "[mesher][io][msh]") {
+  // The unit square, cut into the partitions 1 and 2 along the diagonal; its lower side is in both.
+  const std::string partitioned =
+      "$PartitionedEntities\n2\n1\n12 1\n1 3 2 0\n5 0 1 1 1 0 0 0 0\n"
+      "6 1 3 1 1 0 0 0 0.5 0 0 1 7 0\n7 1 3 1 2 0.5 0 0 1 0 0 1 7 0\n8 2 4 2 1 2 0 0 0 1 1 0 1 9 0\n"
+      "5 2 4 1 1 0 0 0 1 1 0 2 9 8 0\n6 2 4 1 2 0 0 0 1 1 0 2 9 8 0\n$EndPartitionedEntities\n";
+  const std::string nodes = "$Nodes\n1 5 1 5\n2 5 0 5\n1\n2\n3\n4\n5\n0 0 0\n0.5 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n";
+  const std::string elements_of_parts =
+      "$Elements\n5 6 1 6\n1 6 1 1\n1 1 2\n1 7 1 1\n2 2 3\n1 8 1 1\n3 2 4\n2 5 2 2\n4 1 2 4\n5 1 4 5\n"
+      "2 6 2 1\n6 2 3 4\n$EndElements\n";
+  const Mesh mesh = parse_msh_text(format_4 + names + entities + partitioned + nodes + elements_of_parts).mesh;
+  CHECK(mesh.regions == std::vector<int>{9, 9, 9});
+  int num_lower = 0;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto y = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.edges[e][k])].y; };
+    const bool is_lower = y(0) == 0.0 && y(1) == 0.0;
+    CHECK(mesh.labels[e] == (is_lower ? 7 : 0));
+    num_lower += is_lower ? 1 : 0;
+  }
+  CHECK(num_lower == 2);
+  CHECK(mesh.edges.size() == 5);
+
+  // Without groups, the labels are the parents.
+  const std::string no_groups =
+      "$PartitionedEntities\n2\n0\n0 2 1 0\n6 1 3 1 1 0 0 0 0.5 0 0 0 0\n7 1 4 1 2 0.5 0 0 1 0 0 0 0\n"
+      "5 2 4 2 1 2 0 0 0 1 1 0 0 0\n$EndPartitionedEntities\n";
+  const std::string elements_of_parents =
+      "$Elements\n3 5 1 6\n1 6 1 1\n1 1 2\n1 7 1 1\n2 2 3\n2 5 2 3\n4 1 2 4\n5 1 4 5\n6 2 3 4\n$EndElements\n";
+  const Mesh of_parents = parse_msh_text(format_4 + no_groups + nodes + elements_of_parents).mesh;
+  CHECK(std::count(of_parents.labels.begin(), of_parents.labels.end(), 3) == 1);
+  CHECK(std::count(of_parents.labels.begin(), of_parents.labels.end(), 4) == 1);
+}
+
 TEST_CASE("Format 2 is read, elements in two groups once", "[mesher][io][msh]") {
   const std::string text =
       format_2 + names +
@@ -144,6 +179,45 @@ TEST_CASE("Of several time steps the last one is read", "[mesher][io][msh]") {
   CHECK(data.fields.points[0].values == std::vector<double>{1, 2, 3, 8});
 }
 
+TEST_CASE("A field with values on a part of the mesh is left out, with a note", "[mesher][io][msh]") {
+  using Catch::Contains;
+  std::string partial = node_data;
+  partial.replace(partial.find("4\n40 4\n"), 7, "3\n");
+  partial.replace(partial.find("the u"), 5, "a part");
+  const std::string on_line = "$ElementData\n1\n\"w\"\n0\n3\n0\n1\n1\n1 5\n$EndElementData\n";
+  const MeshData read = parse_msh_text(format_4 + msh_nodes + elements + partial + node_data + on_line);
+  REQUIRE(read.fields.points.size() == 1);
+  CHECK(read.fields.points[0].name == "the u");
+  CHECK(read.fields.cells.empty());
+  REQUIRE(read.notes.size() == 2);
+  CHECK_THAT(read.notes[0], Contains("'a part' is left out") && Contains("no value at node 40"));
+  CHECK_THAT(read.notes[1], Contains("'w' is left out") && Contains("no value at triangle 3"));
+}
+
+TEST_CASE("Points of a geometry come back from Gmsh's format, from others' those in a group", "[mesher][io][msh]") {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh(3);
+  mesh.triangles.clear();
+  mesh.regions.clear();
+  mesh.required = {};
+  const Encoding encoding = GENERATE(Encoding::Text, Encoding::Binary);
+  write_msh(folder / "g.msh", mesh, {}, encoding);
+  const Mesh read = read_msh(folder / "g.msh").mesh;
+  CHECK(read.points == mesh.points);
+  CHECK(read.edges == mesh.edges);
+
+  // Format 2: tag, type, 2 tags (group and entity), node; node 4 is a point that was named, node 5 the centre of an
+  // arc.
+  const auto num_points_with = [](const std::string& more) {
+    return parse_msh_text(format_2 + "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0.2 0.2 0\n5 9 9 0\n$EndNodes\n" +
+                          "$Elements\n" + more + "1 1 2 7 1 1 2\n2 1 2 7 1 2 3\n3 1 2 7 1 3 1\n4 15 2 8 4 4\n" +
+                          "5 15 2 0 5 5\n$EndElements\n")
+        .mesh.num_vertices();
+  };
+  CHECK(num_points_with("5\n") == 4);
+  CHECK(num_points_with("6\n6 2 2 9 1 1 2 3\n") == 3);
+}
+
 TEST_CASE("Every fault in a Gmsh file is refused with its line", "[mesher][io][msh][errors]") {
   CHECK(msh_line_of("") == 1);
   CHECK(msh_line_of("# airfoil.msh geometry file\nmshid=1\n") == 2);
@@ -174,12 +248,11 @@ TEST_CASE("What a Gmsh file cannot mean here is refused", "[mesher][io][msh][err
   std::string raised = msh_nodes;
   raised.replace(raised.find("1 1 0\n0 1 0"), 5, "1 1 2");
   CHECK_THAT(message_of(format_4 + raised + elements), Contains("node 30") && Contains("plane"));
-  std::string partial = node_data;
-  partial.replace(partial.find("4\n40 4\n"), 7, "3\n");
-  CHECK_THAT(message_of(format_4 + msh_nodes + elements + partial), Contains("'the u' has no value at node 40"));
   const std::string vector =
       "$NodeData\n1\n\"v\"\n0\n3\n0\n3\n4\n10 1 2 0\n20 1 2 0\n30 1 2 3\n40 1 2 0\n$EndNodeData\n";
   CHECK_THAT(message_of(format_4 + msh_nodes + elements + vector), Contains("leaves the plane"));
+  CHECK_THAT(message_of(format_2 + "$ParametricNodes\n1\n1 0 0 0 0 1\n$EndParametricNodes\n"),
+             Contains("t.msh:4") && Contains("Mesh.SaveParametric"));
   const std::string overlap = "$Elements\n1 2 1 2\n2 4 2 2\n1 10 20 30\n2 10 20 40\n$EndElements\n";
   CHECK_THROWS_AS(parse_msh_text(format_4 + msh_nodes + overlap), parmesan::InputError);
 }

@@ -18,6 +18,7 @@ using parmesan::read_triangle_mesh;
 using parmesan::write_poly;
 using parmesan::write_triangle_mesh;
 using parmesan::support::error_line;
+using parmesan::support::error_message;
 using parmesan::support::same_arrays;
 using parmesan::support::sample_mesh;
 using parmesan::support::TemporaryFolder;
@@ -170,6 +171,25 @@ TEST_CASE("Meshes of Triangle itself are read", "[mesher][io][triangle]") {
   mesh = read_triangle_mesh(folder / "t.ele");
   CHECK(mesh.edges == std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}});
   CHECK(mesh.labels == std::vector<int>{5, 1, 0, 1});
+}
+
+TEST_CASE("Regions of Triangle's meshes are whole numbers, however they are written", "[mesher][io][triangle]") {
+  const std::string node = "3 2\n1 0 0\n2 1 0\n3 0 1\n";
+  const auto region_of = [&node](const std::string& attribute) {
+    return parmesan::parse_triangle_mesh(node, "1 3 1\n1 1 2 3 " + attribute + "\n", "", "t").regions.at(0);
+  };
+  CHECK(region_of("7.0") == 7);
+  CHECK(region_of("-3e0") == -3);
+  CHECK_THAT(error_message([&] { region_of("0.5"); }), Catch::Contains("t.ele:2") && Catch::Contains("whole number"));
+}
+
+TEST_CASE("A .node alone is a cloud of points", "[mesher][io][triangle]") {
+  const TemporaryFolder folder;
+  folder.write("c.node", "3 2\n1 0 0\n2 1 0\n3 0 1\n");
+  const Mesh cloud = read_triangle_mesh(folder / "c.node");
+  CHECK(cloud.num_vertices() == 3);
+  CHECK(cloud.triangles.empty());
+  CHECK_THROWS_AS(read_triangle_mesh(folder / "c.ele"), FileError);
 }
 
 TEST_CASE("Every fault in the files of Triangle is refused with its line", "[mesher][io][triangle][errors]") {

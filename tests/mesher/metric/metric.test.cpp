@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "mesher/errors.h"
 
@@ -110,4 +111,15 @@ TEST_CASE("a metric that is not finite and positive definite is refused", "[mesh
   CHECK_THROWS_AS(Metric::isotropic(bad), InputError);
   CHECK_THROWS_AS(Metric::from_tensor({bad, 0.0, 1.0}), InputError);
   CHECK_THROWS_AS(Metric::from_tensor({1.0, 2.0, 1.0}), InputError);
+}
+
+TEST_CASE("a size without a square is refused by its number", "[mesher][metric][errors]") {
+  for (const auto& [size, name] : {std::pair(1e-300, "1e-300"), std::pair(1e300, "1e+300")}) {
+    try {
+      Metric::isotropic(size);
+      FAIL("was taken");
+    } catch (const InputError& error) {
+      CHECK_THAT(error.what(), Catch::Contains(name));
+    }
+  }
 }
