@@ -195,8 +195,12 @@ class Loop {
       summary.warnings.push_back(std::move(warning));
     if (!case_.interpolation) {
       const IterationRow& last = summary.iterations.back();
-      if (std::optional<std::string> hint = hint_of_correction(case_.targets, targeted_error(case_, last), last))
-        summary.warnings.push_back(*std::move(hint));
+      const ErrorNorms error = targeted_error(case_, last);
+      const auto hint =
+          is_round_off(error.l2, state_.last.values) ? std::nullopt : hint_of_correction(case_.targets, error, last);
+      if (hint) summary.warnings.push_back(*hint);
+      if (std::optional<std::string> unseen = of_unseen_source(case_.problem, last))
+        summary.warnings.push_back(std::move(*unseen));
       if (std::optional<std::string> jumps = warn_of_jumps(case_.problem, state_.last.mesh))
         summary.warnings.push_back(std::move(*jumps));
     }
