@@ -248,11 +248,11 @@ class Loop {
   }
 
   // Complexity asked for per complexity that the vertices obtained stand for: boundary vertices make
-  // meshes larger than 2 C / sqrt3.
+  // meshes larger than 2 C / sqrt3. The mesh of a given field may be any number of times as large as the domain.
   double calibration() const {
     if (state_.history.size() < 2) return 1.0;
     const double obtained = complexity_for_vertices(state_.history.back().vertices);
-    return std::clamp(state_.last.complexity / obtained, 0.5, 1.1);
+    return std::clamp(state_.last.complexity / obtained, 0.5, case_.given ? HUGE_VAL : 1.1);
   }
 
   Case case_;
