@@ -195,8 +195,12 @@ class Loop {
       summary.warnings.push_back(std::move(warning));
     if (!case_.interpolation) {
       const IterationRow& last = summary.iterations.back();
-      if (std::optional<std::string> hint = hint_of_correction(case_.targets, targeted_error(case_, last), last))
-        summary.warnings.push_back(*std::move(hint));
+      const ErrorNorms error = targeted_error(case_, last);
+      const auto hint =
+          is_round_off(error.l2, state_.last.values) ? std::nullopt : hint_of_correction(case_.targets, error, last);
+      if (hint) summary.warnings.push_back(*hint);
+      if (std::optional<std::string> unseen = of_unseen_source(case_.problem, last))
+        summary.warnings.push_back(std::move(*unseen));
       if (std::optional<std::string> jumps = warn_of_jumps(case_.problem, state_.last.mesh))
         summary.warnings.push_back(std::move(*jumps));
     }
@@ -244,11 +248,11 @@ class Loop {
   }
 
   // Complexity asked for per complexity that the vertices obtained stand for: boundary vertices make
-  // meshes larger than 2 C / sqrt3.
+  // meshes larger than 2 C / sqrt3. The mesh of a given field may be any number of times as large as the domain.
   double calibration() const {
     if (state_.history.size() < 2) return 1.0;
     const double obtained = complexity_for_vertices(state_.history.back().vertices);
-    return std::clamp(state_.last.complexity / obtained, 0.5, 1.1);
+    return std::clamp(state_.last.complexity / obtained, 0.5, case_.given ? HUGE_VAL : 1.1);
   }
 
   Case case_;

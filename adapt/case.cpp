@@ -133,6 +133,7 @@ Case parse_unclean(const std::string& text, const std::string& file, const std::
   }
   result.title = reading.document.root["title"].get<std::string>();
   result.resolved = std::move(reading.document.root);
+  result.files = std::move(reading.files);
   return result;
 }
 

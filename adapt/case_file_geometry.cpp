@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 namespace parmesan {
 namespace {
@@ -26,11 +27,17 @@ std::string refusal(const fs::path& path, const fs::path& folder) {
   return {};
 }
 
+/// What may be read along with a file of this name.
+std::vector<fs::path> paths_beside(const fs::path& path) {
+  std::vector<fs::path> paths;
+  for (const char* suffix : {".node", ".ele", ".edge", ".sol", ".solb"})
+    if (path.extension() != suffix) paths.push_back(fs::path(path).replace_extension(suffix));
+  return paths;
+}
+
 /// The same of the links among the files that are read along with one of this name.
 std::string refusal_beside(const fs::path& path, const fs::path& folder) {
-  for (const char* suffix : {".node", ".ele", ".edge", ".sol", ".solb"}) {
-    fs::path beside = path;
-    beside.replace_extension(suffix);
+  for (const fs::path& beside : paths_beside(path)) {
     std::error_code error;
     if (!fs::is_symlink(fs::symlink_status(beside, error))) continue;
     const std::string problem = refusal(beside, folder);
@@ -56,7 +63,13 @@ std::optional<std::string> named_file(CaseReading& reading, const std::string& n
     reading.issues.add(pointer, "cannot read '" + name.substr(0, 200) + "': " + problem);
     return std::nullopt;
   }
-  return (folder / written).string();
+  const fs::path path = folder / written;
+  reading.files.push_back(path.string());
+  for (const fs::path& beside : paths_beside(path)) {
+    std::error_code unreadable;
+    if (fs::is_regular_file(beside, unreadable)) reading.files.push_back(beside.string());
+  }
+  return path.string();
 }
 
 std::optional<GeometryInput> read_named_geometry(CaseReading& reading, const std::string& name,

@@ -15,7 +15,7 @@ inline constexpr std::uintmax_t kMaxNamedBytes = std::uintmax_t{1} << 30;
 /// The path of a file that a case names at pointer.
 ///
 /// Only regular files beside or below the case file may be read; links must not lead elsewhere.
-/// Nothing, and an issue, for any other.
+/// Nothing, and an issue, for any other. It becomes one of the files of the reading, with those beside it.
 std::optional<std::string> named_file(CaseReading& reading, const std::string& name, const std::string& pointer);
 
 /// Reads the geometry file that a case names at pointer, by the merge tolerance of the case's geometry.

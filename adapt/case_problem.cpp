@@ -190,6 +190,8 @@ void read_equation(CaseReading& reading, const CaseGeometry* geometry, Case& res
                                  : nullptr;
   if (equation) result.problem = make_problem(equation, source);
   result.problem.point_sources = reader.point_sources();
+  // -div(K grad exact) has them already; derived point by point it does not.
+  if (!result.problem.point_sources.empty()) result.problem.divergence_form.reset();
   result.problem.stabilize = section.value("stabilize", Json(true)) == true;
   result.problem.capture_discontinuities = section.value("discontinuity_capturing", Json(false)) == true;
   result.problem.correct_defect = section.value("defect_correction", Json(false)) == true;

@@ -25,6 +25,7 @@ struct CaseReading {
   CaseDocument document;
   CaseIssues issues;
   std::map<std::string, double> parameters;
+  std::vector<std::string> files;  // that the case names, and those that are read along with them
 
   /// A number or an expression; nothing, and an issue, when it cannot be parsed.
   std::optional<Expression> expression(const nlohmann::ordered_json& value, const std::string& pointer,

@@ -318,7 +318,7 @@ constexpr const char* kSchema = R"schema({
                 { "required": ["value"] }],
       "properties": {
         "integral": { "type": "string", "minLength": 1, "description": "of u over a region, \"*\" for the domain" },
-        "boundary_integral": { "type": "string", "minLength": 1, "description": "of u over the sides of a label" },
+        "boundary_integral": { "type": "string", "minLength": 1, "description": "of u over the sides of a label, \"*\" for the boundary and all cracks" },
         "flux": { "type": "string", "minLength": 1, "description": "integral of n.K grad u over the sides of a label" },
         "value": { "$ref": "#/$defs/point", "description": "u at a point" },
         "weight": { "$ref": "#/$defs/scalar",

@@ -13,7 +13,7 @@ namespace parmesan {
 /// Fowler-Noll-Vo hash FNV-1a of 64 bits: changes with any one byte. Not meant against forgery.
 std::uint64_t checksum(std::string_view bytes);
 
-/// The state of a loop, and what the case was (checksum of the resolved case), as bytes with a checksum at
+/// The state of a loop, and what the case was (a checksum of it and of its files), as bytes with a checksum at
 /// their end. Numbers as this machine has them in memory, so that reading gives the same bits.
 std::string encode_checkpoint(const LoopState& state, std::uint64_t case_hash);
 

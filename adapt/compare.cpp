@@ -13,7 +13,9 @@
 #include "adapt/report/report.h"
 #include "adapt/stopwatch.h"
 #include "adapt/targets.h"
+#include "mesher/arc_heights.h"
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "mesher/io/output_file.h"
 #include "mesher/triangulation/refine.h"
 
@@ -55,6 +57,20 @@ Case aimed_at(const Case& input, std::int64_t vertices) {
   aimed.targets.vertices = vertices;
   aimed.initial_vertices = std::min(input.initial_vertices, vertices);
   return aimed;
+}
+
+/// Where edges on curves are to be cut.
+std::vector<EdgeMiddle> middles_of_arcs(const Mesh& mesh, const Domain& domain) {
+  const std::vector<double> heights = arc_heights(mesh, domain);
+  std::vector<EdgeMiddle> middles;
+  for (int e = 0; e < mesh.num_edges(); ++e) {
+    if (heights[at(e)] == 0.0) continue;
+    const Point& a = mesh.points[at(mesh.edges[at(e)][0])];
+    const Point& b = mesh.points[at(mesh.edges[at(e)][1])];
+    const Vector to_the_right{b.y - a.y, a.x - b.x};
+    middles.push_back({e, midpoint(a, b) + (heights[at(e)] / norm(to_the_right)) * to_the_right});
+  }
+  return middles;
 }
 
 double spent(const std::vector<IterationRow>& rows) {
@@ -136,7 +152,7 @@ class Comparison {
     while (!interrupted() && is_worse() && 4.0 * last.mesh.num_vertices() <= largest) {
       const Stopwatch watch;
       Iterate next;
-      next.mesh = refine_red(last.mesh);
+      next.mesh = refine_red(last.mesh, middles_of_arcs(last.mesh, case_.domain));
       next.metrics.assign(next.mesh.points.size(), last.metrics.front().scaled(4.0));
       next.complexity = 4.0 * last.complexity;
       next.seconds.cpu = watch.cpu_seconds();

@@ -32,6 +32,15 @@ std::set<int> labels_named(const Mesh& mesh, const std::string& name) {
   return labels;
 }
 
+/// "*" for those of the boundary and of cracks: a line inside bounds nothing.
+std::set<int> labels_of_sides(const Mesh& mesh, const std::string& name) {
+  if (name != "*") return labels_named(mesh, name);
+  std::set<int> labels;
+  for (const Side& side : labelled_sides(mesh))
+    if (!side.interior) labels.insert(side.label);
+  return labels;
+}
+
 // The sum of the moments of u times the density.
 double density_integral(const Mesh& mesh, const GoalFunctional& goal, const Expression& u) {
   Problem problem;
@@ -94,7 +103,7 @@ GoalFunctional goal_functional(const CaseFunctional& functional, const Mesh& mes
     };
   }
   if (functional.kind == Kind::BoundaryIntegral) {
-    for (const int label : labels_named(mesh, functional.where)) {
+    for (const int label : labels_of_sides(mesh, functional.where)) {
       goal.sides[label] = [weight = weight_of(functional)](const Point& p, const Vector&, int) { return weight(p); };
     }
   }

@@ -17,8 +17,10 @@ namespace {
 
 void check(const Mesh& mesh, std::span<const double> indicators, const IndicatorRequest& request) {
   if (mesh.triangles.empty()) throw InputError("indicators need a mesh with triangles");
-  if (indicators.size() != mesh.triangles.size() && indicators.size() != mesh.points.size()) {
-    throw InputError("there are " + std::to_string(indicators.size()) + " indicators; the mesh has " +
+  const bool at_triangles = request.place == IndicatorPlace::Triangles;
+  if (indicators.size() != (at_triangles ? mesh.triangles.size() : mesh.points.size())) {
+    throw InputError(std::string("at ") + (at_triangles ? "triangles" : "vertices") + " there are " +
+                     std::to_string(indicators.size()) + " indicators; the mesh has " +
                      std::to_string(mesh.triangles.size()) + " triangles and " + std::to_string(mesh.points.size()) +
                      " vertices");
   }
@@ -39,17 +41,17 @@ double wanted_density(double eta, double area, double triangle, double order) {
 
 /// The density wanted at each vertex, but for the factor D.
 std::vector<double> densities(const Mesh& mesh, std::span<const double> indicators, std::span<const double> areas,
-                              double order) {
+                              const IndicatorRequest& request) {
   std::vector<double> result(mesh.points.size(), 0.0);
-  if (indicators.size() == mesh.points.size() && indicators.size() != mesh.triangles.size()) {
+  if (request.place == IndicatorPlace::Vertices) {
     for (std::size_t v = 0; v < result.size(); ++v)  // half as many vertices as triangles
-      result[v] = wanted_density(indicators[v], areas[v], 0.5 * areas[v], order);
+      result[v] = wanted_density(indicators[v], areas[v], 0.5 * areas[v], request.order);
     return result;
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto [a, b, c] = mesh.triangles[t];
     const double area = 0.5 * doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]);
-    const double density = wanted_density(indicators[t], area, area, order);
+    const double density = wanted_density(indicators[t], area, area, request.order);
     for (const int v : {a, b, c}) {
       const auto k = static_cast<std::size_t>(v);
       result[k] += area / 3.0 / areas[k] * density;
@@ -77,7 +79,7 @@ std::vector<Metric> metric_from_indicators(const Mesh& mesh, std::span<const dou
                                            const IndicatorRequest& request) {
   check(mesh, indicators, request);
   const std::vector<double> areas = vertex_areas(mesh);
-  const std::vector<double> wanted = densities(mesh, indicators, areas, request.order);
+  const std::vector<double> wanted = densities(mesh, indicators, areas, request);
   constexpr int bisections = 100;
   const double largest = std::ranges::max(wanted);
   double low = std::log(1e-30 / largest), high = std::log(1e30 / largest);  // the complexity grows with log D

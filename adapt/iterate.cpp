@@ -65,8 +65,11 @@ void require_range(const std::vector<double>& values) {
   double largest = 0.0;
   for (const double v : values) largest = std::max(largest, std::abs(v));
   if (largest == 0.0 || (largest >= least && largest <= most)) return;
+  const std::string unseen = ", or, if a mesh of " + std::to_string(values.size()) +
+                             " vertices misses where it is larger, a larger \"vertices\" of 'initial'";
   throw ProblemError("/problem: the solution reaches " + short_number(largest, 3) +
-                     " in size; what is computed must lie between 1e-100 and 1e100: choose other units");
+                     " in size; what is computed must lie between 1e-100 and 1e100: choose other units" +
+                     (largest < least ? unseen : ""));
 }
 
 void interpolate_on(const Case& input, Iterate& iterate) {

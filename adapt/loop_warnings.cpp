@@ -107,11 +107,13 @@ std::optional<std::string> of_uncertain(const IterationRow& last) {
 }
 
 // Where errors are but estimated: residuals far above the recovered gradient's estimate. On meshes that resolve the
-// data they are 0.7 to 1 of it.
+// data they are 0.7 to 1 of it up to Peclet numbers of 3500; far beyond they grow however well a mesh resolves them.
 std::optional<std::string> of_unresolved(const IterationRow& last) {
   constexpr double far_above = 1.5;
+  constexpr double largest_peclet = 5e3;
   const bool is_far_above = last.residual_h1 && *last.residual_h1 > far_above * last.estimated_error->h1;
-  if (last.solution_error || !is_far_above) return std::nullopt;
+  const bool says_nothing = last.solve_report && last.solve_report->peclet_max > largest_peclet;
+  if (last.solution_error || !is_far_above || says_nothing) return std::nullopt;
   return "the last mesh may not resolve the data: its residuals tell of an H1 error of " +
          short_number(*last.residual_h1, 3) + ", the recovered gradient of " +
          short_number(last.estimated_error->h1, 3);
@@ -181,6 +183,14 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   add(of_correction(last));
   add(of_capturing(last));
   return warnings;
+}
+
+std::optional<std::string> of_unseen_source(const Problem& problem, const IterationRow& last) {
+  const bool is_zero = last.solve_report && last.solve_report->minimum == 0.0 && last.solve_report->maximum == 0.0;
+  if (!problem.source || !is_zero || last.solution_error) return std::nullopt;
+  return "the solution is 0 at all vertices, though 'source' is not the constant 0: where that lies between the points "
+         "that a mesh of " +
+         std::to_string(last.vertices) + " vertices looks at, a larger \"vertices\" of 'initial' finds it";
 }
 
 std::optional<std::string> hint_of_correction(const Targets& targets, const ErrorNorms& error,

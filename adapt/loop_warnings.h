@@ -7,6 +7,7 @@
 
 #include "adapt/summary.h"
 #include "adapt/targets.h"
+#include "fem/problem.h"
 
 namespace parmesan {
 
@@ -17,6 +18,10 @@ namespace parmesan {
 /// loop asked for keeps the size limits. reason: why the loop ended.
 std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed, bool limits_bind,
                                           StopReason reason);
+
+/// Of a solution that is 0 though the source is not, which the mesh may miss altogether. Nothing where the exact
+/// solution is known.
+std::optional<std::string> of_unseen_source(const Problem& problem, const IterationRow& last);
 
 /// Where errors of the values are a target and Galerkin's method adds as much to that of the interpolant again: what
 /// would take it away. error: of the solution, known or estimated.

@@ -14,6 +14,7 @@
 #include "adapt/outputs.h"
 #include "adapt/report/report.h"
 #include "mesher/errors.h"
+#include "mesher/io/text.h"
 
 namespace parmesan {
 namespace {
@@ -84,8 +85,16 @@ void say(const RunOptions& options, std::string line, double share = 0.0) {
   if (options.progress) options.progress({std::move(line), share});
 }
 
+// What a run that is gone on with must agree in: the case, and what the files that it names hold.
+std::uint64_t checksum_of(const Case& input) {
+  std::string text = input.resolved.dump();
+  for (const std::string& file : input.files) text += "\n" + std::to_string(checksum(read_file(file)));
+  return checksum(text);
+}
+
 // Nothing where the run was ended before its first checkpoint, or has not begun.
-std::optional<LoopState> state_to_resume(const std::string& path, std::uint64_t case_hash, const RunOptions& options) {
+std::optional<LoopState> state_to_resume(const std::string& path, const Case& input, std::uint64_t case_hash,
+                                         const RunOptions& options) {
   FoundCheckpoint found = find_checkpoint(path);
   for (const std::string& problem : found.problems) say(options, problem);
   if (!found.checkpoint) {
@@ -99,8 +108,9 @@ std::optional<LoopState> state_to_resume(const std::string& path, std::uint64_t 
     return std::nullopt;
   }
   if (found.checkpoint->case_hash != case_hash && !options.force) {
-    throw InputError(path + " holds the run of another case than this one (compare its case.json); --force goes on " +
-                     "with this case from there");
+    throw InputError(path + " holds the run of another case than this one (compare its case.json" +
+                     (input.files.empty() ? "" : ", and the files that the case names") +
+                     "); --force goes on with this case from there");
   }
   say(options,
       "going on after iteration " + std::to_string(found.checkpoint->state.summary.iterations.back().iteration));
@@ -124,8 +134,9 @@ std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const 
 
 RunResult run_case(const Case& input, const RunOptions& options) {
   const std::string path = options.out_dir.empty() ? input.name + ".out" : options.out_dir;
-  const std::uint64_t case_hash = checksum(input.resolved.dump());
-  const std::optional<LoopState> resumed = options.resume ? state_to_resume(path, case_hash, options) : std::nullopt;
+  const std::uint64_t case_hash = checksum_of(input);
+  const std::optional<LoopState> resumed =
+      options.resume ? state_to_resume(path, input, case_hash, options) : std::nullopt;
   RunFolder folder(path, input, earlier_files(options, resumed.has_value()));
   LoopOptions loop;
   loop.threads = options.threads;

@@ -74,9 +74,11 @@ void add_flux_through_gap(const OnSide& function, const Side& side, int triangle
   const Point to = mesh.points[at(side.to)];
   const Vector tangent = (1.0 / side.length) * (to - from);
   for (const auto& [t, weight] : function.rule) {
-    const Point x = lerp(from, to, t);
+    const double distance = arc_distance(side, t);
+    // The chord, or its mirror image behind the arc: coefficients of this side may be others beyond the arc.
+    const Point x = lerp(from, to, t) + (distance - sign * std::abs(distance)) * side.normal;
     const Vector gradient = function.gradient(side, triangle, t);
-    const double gap = sign * weight * arc_distance(side, t);  // per length of the side
+    const double gap = sign * weight * distance;  // per length of the side
     moments.add_slope(gap * dot(tangent, diffusion_at(problem, x, region) * gradient));
     moments.add(
         t, gap * side.length * divergence_of_flux(problem, x, region, function.value(side, triangle, t), gradient));

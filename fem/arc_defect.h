@@ -16,7 +16,8 @@ namespace parmesan {
 ///
 ///     n.S = (1 + d'^2 / 2) g + (d t.S)' - d r,    r = b.grad u + c u - f,
 ///
-/// on the chord to second order; g is where the arc is. On boundary sides with a Neumann or Robin condition, where g is
+/// on the chord to second order; g is where the arc is, and K and r are taken where the chord or, as far behind the arc,
+/// its mirror image lies in the region. On boundary sides with a Neumann or Robin condition, where g is
 /// given, this leaves int (g on the chord - n.S) phi_i; between regions, where it is the same on both sides, the
 /// difference of the two n.S.
 ///

@@ -28,7 +28,7 @@ DiscreteProblem::DiscreteProblem(const Mesh& the_mesh, const Problem& the_proble
       equations(system, fixed.fixed, null_space, problem.solver) {}
 
 LocalSolution& DiscreteProblem::local_solution() {
-  if (!local_) local_.emplace(mesh, problem, sides);
+  if (!local_) local_.emplace(parts, problem, sides);
   return *local_;
 }
 

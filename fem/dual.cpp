@@ -81,7 +81,7 @@ std::vector<double> solve_dual(const Mesh& mesh, const Problem& problem, const G
   const Functional load = dual_load(mesh, problem, sides, goal);
   system.load = Eigen::Map<const Eigen::VectorXd>(load.data(), static_cast<Eigen::Index>(load.size()));
   const FixedVertices fixed = dirichlet_values(mesh, with_dual_data(problem, goal.fluxes), sides);
-  const NullSpace null_space = find_null_space(mesh, system, fixed);
+  const NullSpace null_space = transposed(find_null_space(mesh, system, fixed));
   make_blind_to_means(null_space, system);
   if (!system.symmetric) system.matrix = RowMatrix(system.matrix.transpose());
   return FreeEquations(system, fixed.fixed, null_space, problem.solver).solve(system.load, fixed.values).values;

@@ -30,7 +30,8 @@ class FreeEquations {
   /// How many values are free.
   std::size_t num_unknowns() const { return reduced_.vertices.size(); }
 
-  /// A x = load where x is free, x = given elsewhere (n values), means zero on the components of the null space.
+  /// A x = load where x is free, x = given elsewhere (n values), means zero on the components of the null space: of
+  /// the solutions there, which differ by multiples of the right null vector.
   /// guess: n values to iterate from, or none. Errors: as LinearSolver.
   VertexValues solve(const Eigen::VectorXd& load, std::span<const double> given, std::span<const double> guess = {});
 

@@ -50,10 +50,11 @@ Problem with_sources_of_patch(const Mesh& mesh, const RefinedPatch& patch, Probl
 
 }  // namespace
 
-LocalSolution::LocalSolution(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) : mesh_(mesh) {
+LocalSolution::LocalSolution(const SmoothParts& parts, const Problem& problem, const std::vector<Side>& sides)
+    : mesh_(parts.whole()) {
   try {
-    patch_ = refined_patch(mesh, sides, singular_vertices(mesh, problem, sides));
-    if (!patch_.triangles.empty()) prepare(with_sources_of_patch(mesh, patch_, problem));
+    patch_ = refined_patch(mesh_, sides, singular_vertices(parts, problem, sides));
+    if (!patch_.triangles.empty()) prepare(with_sources_of_patch(mesh_, patch_, problem));
   } catch (const InputError&) {  // of data at points that the solution did not look at, which stands all the same
     equations_.reset();
   } catch (const SolveError&) {

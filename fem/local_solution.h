@@ -7,6 +7,7 @@
 #include "fem/free_equations.h"
 #include "fem/quadratic.h"
 #include "fem/refined_patch.h"
+#include "fem/smooth_parts.h"
 
 namespace parmesan {
 
@@ -21,10 +22,10 @@ struct LocalCorrection {
 /// Math. 43 (1984) 379), where recovered gradients say little of the solution.
 class LocalSolution {
  public:
-  /// Empty where nothing is singular, or refined_patch() or the equations on the patch are of no use. The mesh must
-  /// live as long. Cost: O(n), and the factorization of the equations of twelve vertices for each triangle of the
+  /// Empty where nothing is singular, or refined_patch() or the equations on the patch are of no use. The whole mesh of
+  /// the parts must live as long. Cost: O(n), and the factorization of the equations of twelve vertices for each triangle of the
   /// patch.
-  LocalSolution(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);
+  LocalSolution(const SmoothParts& parts, const Problem& problem, const std::vector<Side>& sides);
   LocalSolution(const LocalSolution&) = delete;
   LocalSolution& operator=(const LocalSolution&) = delete;
 

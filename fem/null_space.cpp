@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fem/adjacency.h"
 #include "fem/coefficients.h"
@@ -61,16 +62,23 @@ void hold_where_felt(const AssembledSystem& system, NullSpace& null_space) {
   }
 }
 
+/// 1 on the components.
+Eigen::VectorXd constants(const NullSpace& null_space, Eigen::Index num_vertices) {
+  Eigen::VectorXd ones = Eigen::VectorXd::Zero(num_vertices);
+  for (const std::vector<int>& component : null_space.components) {
+    for (const int v : component) ones[v] = 1.0;
+  }
+  return ones;
+}
+
 /// w with w^T A = 0 and w = 1 at the first vertex of each component; 0 off the components.
 Eigen::VectorXd left_null_vector(const NullSpace& null_space, const AssembledSystem& system) {
+  if (system.symmetric) return null_space.right;
   FixedVertices fixed = all_but(null_space, static_cast<std::size_t>(system.load.size()));
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(system.load.size());
   for (const std::vector<int>& component : null_space.components) {
-    for (const int v : component) w[v] = 1.0;
     fixed.fixed[at(component.front())] = 1;
     fixed.values[at(component.front())] = 1.0;
   }
-  if (system.symmetric) return w;
   AssembledSystem transposed;
   transposed.matrix = system.matrix.transpose();
   transposed.load.setZero(system.load.size());
@@ -103,10 +111,16 @@ NullSpace find_null_space(const Mesh& mesh, const AssembledSystem& system, const
     if (!anchored[c]) vertices[c].push_back(static_cast<int>(v));
   }
   std::erase_if(vertices, [](const std::vector<int>& list) { return list.empty(); });
-  NullSpace null_space{.components = std::move(vertices), .left = {}};
+  NullSpace null_space{.components = std::move(vertices), .left = {}, .right = {}};
   if (null_space.components.empty()) return null_space;
   hold_where_felt(system, null_space);
+  null_space.right = constants(null_space, system.load.size());
   null_space.left = left_null_vector(null_space, system);
+  return null_space;
+}
+
+NullSpace transposed(NullSpace null_space) {
+  std::swap(null_space.left, null_space.right);
   return null_space;
 }
 
@@ -147,9 +161,9 @@ void remove_means(const NullSpace& null_space, const AssembledSystem& system, co
     double mass = 0.0;
     for (const int v : component) {
       integral += integrals[v];
-      mass += system.mass[v];
+      mass += system.mass[v] * null_space.right[v];
     }
-    for (const int v : component) values[at(v)] -= integral / mass;
+    for (const int v : component) values[at(v)] -= integral / mass * null_space.right[v];
   }
 }
 

@@ -53,6 +53,38 @@ TEST_CASE("Functionals of a case are integrals, fluxes and values of its solutio
   CHECK(json["bounds"]["overshoot"] == 0.0);
 }
 
+TEST_CASE("An integral over the boundary is not changed by lines inside, and has both sides of cracks",
+          "[adapt][case][functional]") {
+  // u = 2 on four sides of length 1, and on both of a crack of length 1/4.
+  const auto boundary_integral = [](const std::string& label_right) {
+    const Case c = parse_case(R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]},
+        "segments": [{"from": [0.5, 0.25], "to": [0.5, 0.5], "label": "line")" +
+                                  label_right + R"(}]},
+        "problem": {"exact": 2, "boundary": {"*": {"dirichlet": "exact"}}},
+        "functionals": {"all": {"boundary_integral": "*"}, "line": {"boundary_integral": "line"}}})",
+                              "case.json");
+    const IterationRow row = first_row(c);
+    CHECK(row.functionals.at("line") == Approx(0.5).epsilon(1e-11));
+    return row.functionals.at("all");
+  };
+  CHECK(boundary_integral("") == Approx(8.0).epsilon(1e-11));
+  CHECK(boundary_integral(R"(, "label_right": "right of it")") == Approx(9.0).epsilon(1e-11));
+}
+
+TEST_CASE("Point sources are counted once, also where the source is derived from their potential",
+          "[adapt][case][functional]") {
+  const std::string source = GENERATE(as<std::string>{}, "", R"("source": 0, )", R"("velocity": [0, 0], )");
+  const Case c = parse_case(R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}, "problem": {)" + source +
+                                R"case("exact": "-log(hypot(x - 0.4, y - 0.6))/(2*pi)",
+      "point_sources": [{"at": [0.4, 0.6], "strength": 1}], "boundary": {"*": {"dirichlet": "exact"}}},
+      "initial": {"vertices": 60}, "mesher": {"preset": "fast"}})case",
+                            "case.json");
+  const IterationRow row = first_row(c);
+  double sum = 0.0;
+  for (const auto& [label, flux] : row.fluxes) sum += flux;
+  CHECK(sum == Approx(-1.0).epsilon(1e-3));  // what the source discharges flows out
+}
+
 TEST_CASE("The flux into a side that lies inside without a condition is refused", "[adapt][case][functional][errors]") {
   const std::string functional = R"(, "functionals": {"through": {"flux": "inside"}})";
   std::string text = series(functional);

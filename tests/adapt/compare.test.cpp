@@ -72,6 +72,24 @@ TEST_CASE("no order is fitted to errors that are round-off, and the table says w
   CHECK(to_json(result)["orders"]["uniform"]["l2"].is_null());
 }
 
+TEST_CASE("refined uniform meshes of a curved domain keep to its curves", "[adapt][compare][curves]") {
+  // On chords, where 1 - r^2 is not 0, the error of the given values would stay as it was.
+  const support::TemporaryFolder folder;
+  CompareOptions options;
+  options.out_dir = folder.path();
+  options.sizes = {200, 1000};
+  options.max_uniform_vertices = 20000;
+  const Case input = parse_case(R"case({"geometry": {"disc": {"radius": 1}}, "problem": {
+      "exact": "(1 - x^2 - y^2)*(1 + tanh(20*x))", "boundary": {"*": {"dirichlet": 0}}}, "initial": {"vertices": 100},
+      "mesher": {"preset": "fast"}})case",
+                                "case.json");
+  std::vector<double> errors;
+  for (const CompareRow& row : compare_case(input, options).rows)
+    if (row.family == MeshFamily::Uniform) errors.push_back(row.leading_l2());
+  REQUIRE(errors.size() > 3);
+  CHECK(errors[errors.size() - 2] / errors.back() == Approx(4.0).margin(0.3));  // of order h^2
+}
+
 TEST_CASE("compare_case refuses sizes that do not ascend", "[adapt][compare][errors]") {
   CompareOptions options;
   options.out_dir = support::TemporaryFolder().path();

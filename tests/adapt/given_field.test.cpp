@@ -84,6 +84,20 @@ TEST_CASE("a mesh is adapted to a function from a file as to its expression", "[
   CHECK(run.summary.iterations.back().interpolation_error->l2 == Approx(error).epsilon(0.15));
 }
 
+TEST_CASE("a domain that is a part of a field's mesh gets the size asked for, too", "[adapt][given][loop]") {
+  const GivenCase data(support::rectangle_mesh(40, 40));
+  const std::string box = GENERATE(as<std::string>{}, R"({"min": [0.2, 0.2], "max": [0.8, 0.9]})",
+                                   R"({"min": [0.5, 0.6], "max": [0.6, 0.7]})");
+  const Case part = parse_case(R"({"geometry": {"rectangle": )" + box + R"(}, "problem": {"interpolate": )" + files +
+                                   R"(}, "mesher": {"preset": "fast"}, "initial": {"vertices": 100},
+                                  "targets": {"vertices": 400}})",
+                               data.folder() / "case.json");
+  const LoopResult run = adapt(part, {});
+  CHECK(run.summary.stop_reason == StopReason::Vertices);
+  CHECK(run.last.mesh.num_vertices() == Approx(400).epsilon(0.03));
+  for (const std::string& warning : run.summary.warnings) CHECK(warning.find("cannot be told") == std::string::npos);
+}
+
 TEST_CASE("fields in a mesh file are found by their names", "[adapt][given][case]") {
   const GivenCase data(support::rectangle_mesh(3, 3));
   std::string rows;

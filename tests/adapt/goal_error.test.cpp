@@ -85,6 +85,12 @@ TEST_CASE("the estimated error of a functional tends to its error", "[adapt][goa
     goal.sides[Top] = [](const Point& p, const Vector&, int) { return p.x; };
     exact = integral([](double x) { return x * Wave::value({x, 1}); }, 0, 1);
   }
+  SECTION("region, a velocity, and u known but for a constant, which the weight does not see") {
+    problem = wave_problem(1.0, {2, 1}, 0.0);
+    for (const int label : {Left, Right, Bottom, Top}) problem.boundary[label] = flux_of_wave(1.0);
+    goal.density = [](const Point& p, int) { return p.x - 0.5; };
+    exact = wave_integral([](double x, double) { return x - 0.5; });
+  }
   const Measured coarse = measured(bent_square(12), problem, goal, exact);
   const Measured fine = measured(bent_square(24), problem, goal, exact);
   CAPTURE(coarse.error, coarse.estimate.error, fine.error, fine.estimate.error);

@@ -1,5 +1,6 @@
 #include "adapt/indicator_metric.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -103,9 +104,37 @@ TEST_CASE("indicators at vertices give the sizes of those at triangles", "[adapt
     const double h = std::sqrt(2.0 * areas[v] / std::numbers::sqrt3);
     at_vertices.push_back(factor(mesh.points[v]) * h * h * std::sqrt(areas[v]));
   }
-  const auto a = metric_from_indicators(mesh, at_vertices, {2.0, 3000.0});
+  const IndicatorRequest of_vertices{.order = 2.0, .complexity = 3000.0, .place = IndicatorPlace::Vertices};
+  const auto a = metric_from_indicators(mesh, at_vertices, of_vertices);
   const auto b = metric_from_indicators(mesh, indicators(mesh, 2.0), {2.0, 3000.0});
   for (std::size_t v = 0; v < a.size(); ++v) CHECK(a[v].density() / b[v].density() == Approx(1.0).epsilon(0.06));
+}
+
+TEST_CASE("indicators are of vertices where they are said to be, however many there are", "[adapt][indicator]") {
+  // A ring, one cell wide, has as many vertices as triangles: numbered round it, two of each for an angle.
+  constexpr int cells = 24;
+  Mesh ring;
+  for (int i = 0; i < cells; ++i) {
+    const double angle = 2 * std::numbers::pi * i / cells;
+    for (const double r : {0.8, 1.0}) ring.points.push_back({r * std::cos(angle), r * std::sin(angle)});
+    const int a = 2 * i, b = 2 * ((i + 1) % cells);
+    ring.triangles.insert(ring.triangles.end(), {{a, a + 1, b + 1}, {a, b + 1, b}});
+  }
+  std::ranges::rotate(ring.triangles, ring.triangles.begin() + cells);  // numbers say nothing of places
+  ring.regions.assign(ring.triangles.size(), 0);
+  REQUIRE(ring.points.size() == ring.triangles.size());
+  std::vector<double> eta;
+  for (const Point& p : ring.points) eta.push_back(p.x > 0.3 ? 1.0 : 0.01);
+  const IndicatorRequest request{.order = 2.0, .complexity = 100.0, .place = IndicatorPlace::Vertices};
+  const std::vector<Metric> metrics = metric_from_indicators(ring, eta, request);
+  double most_left = 0.0, least_right = HUGE_VAL;
+  for (std::size_t v = 0; v < metrics.size(); ++v) {
+    if (ring.points[v].x > 0.3)
+      least_right = std::min(least_right, metrics[v].density());
+    else
+      most_left = std::max(most_left, metrics[v].density());
+  }
+  CHECK(least_right > 10 * most_left);
 }
 
 TEST_CASE("indicators that cannot be used are refused", "[adapt][indicator][errors]") {

@@ -1,6 +1,10 @@
 #include "adapt/loop_warnings.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+
+#include "adapt/adapt_loop.h"
+#include "tests/adapt/loop_cases.h"
 
 using namespace parmesan;
 
@@ -37,6 +41,50 @@ TEST_CASE("an exact function without an L2 norm is warned of, and its data are n
   CHECK(warnings_with(0.28).find("another solution") == std::string::npos);
   CHECK(warnings_with(1e-3).find("cannot be told") == std::string::npos);
   CHECK_THAT(warnings_with(1e-3), Catch::Contains("another solution"));
+}
+
+TEST_CASE("residuals tell of unresolved data, but not at Peclet numbers where they grow with these", "[adapt][loop]") {
+  const auto is_warned = [](double residual, double peclet) {
+    IterationRow row;
+    row.solve_report.emplace();
+    row.solve_report->unknowns = 1;
+    row.solve_report->peclet_max = peclet;
+    row.estimated_error = EstimatedError{.h1 = 1.0};
+    row.residual_h1 = residual;
+    const auto warnings = warnings_of_last(row, std::nullopt, false, StopReason::Vertices);
+    return std::ranges::any_of(warnings, [](const std::string& w) { return w.find("not resolve") != w.npos; });
+  };
+  CHECK(is_warned(2.0, 0.0));
+  CHECK(is_warned(2.0, 3500.0));
+  CHECK_FALSE(is_warned(1.0, 0.0));
+  CHECK_FALSE(is_warned(8.0, 7e4));
+}
+
+TEST_CASE("nothing is said of round-off", "[adapt][loop]") {
+  const auto warnings = adapt(support::poisson_case("x + y", R"({"l2_error": 1e-20, "max_vertices": 300})"), {});
+  CHECK(is_round_off(warnings.summary.iterations.back().solution_error->l2, std::vector<double>{2.0}));
+  for (const std::string& warning : warnings.summary.warnings) {
+    CHECK(warning.find("cannot be told") == std::string::npos);
+    CHECK(warning.find("defect_correction") == std::string::npos);
+  }
+}
+
+TEST_CASE("a source or a function that the first mesh misses is told of, with the cure", "[adapt][loop][errors]") {
+  const std::string peak = "exp(-1e6*((x-0.3)^2+(y-0.7)^2))";
+  CHECK_THROWS_WITH(adapt(support::interpolation_case(peak, "{}"), {}),
+                    Catch::Contains("\"vertices\" of 'initial'") && Catch::Contains("other units"));
+  const auto says = [](const std::string& source) {
+    const Case input =
+        parse_case(R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}, "problem": {"source": )" + source +
+                       R"(, "boundary": {"*": {"dirichlet": 0}}},
+        "initial": {"vertices": 100}, "targets": {"vertices": 100, "max_iterations": 1}})",
+                   "case.json");
+    const auto warnings = adapt(input, {}).summary.warnings;
+    return std::ranges::any_of(warnings, [](const std::string& w) { return w.find("is 0 at all") != w.npos; });
+  };
+  CHECK(says("\"1e10*exp(-1e8*((x-0.3)^2+(y-0.7)^2))\""));
+  CHECK_FALSE(says("\"exp(-10*((x-0.3)^2+(y-0.7)^2))\""));
+  CHECK_FALSE(says("0"));
 }
 
 TEST_CASE("who wants a small L2 error is told of defect correction where Galerkin's method adds most of it",

@@ -81,6 +81,26 @@ TEST_CASE("the solution of a run can be interpolated by another, also on both si
   CHECK(next.given->values == again.last.values);  // bit by bit
 }
 
+TEST_CASE("a run is not gone on with where a file that its case names has changed", "[adapt][run][resume][errors]") {
+  const TemporaryFolder files, folder;
+  const std::string square = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n";
+  files.write("square.poly", square);
+  RunOptions options = into(folder);
+  const auto run = [&] {
+    return run_case(parse_case(R"({"geometry": {"file": "square.poly"}, "problem": {"interpolate": "x*x"},
+                        "initial": {"vertices": 100}, "targets": {"vertices": 100}, "mesher": {"preset": "fast"}})",
+                               files / "case.json"),
+                    options);
+  };
+  run();
+  options.resume = true;
+  CHECK_NOTHROW(run());
+  files.write("square.poly", std::string(square).replace(square.find("2 1 0"), 5, "2 2 0"));
+  CHECK_THROWS_WITH(run(), Catch::Contains("the run of another case") && Catch::Contains("the files that"));
+  options.force = true;
+  CHECK_NOTHROW(run());
+}
+
 TEST_CASE("the same case leaves the same mesh file", "[adapt][run]") {
   const TemporaryFolder a;
   const TemporaryFolder b;

@@ -107,6 +107,37 @@ TEST_CASE("what chords of interfaces add to the error is estimated", "[fem][esti
   CHECK(e.h1 == Approx(1.0).margin(0.1));
 }
 
+TEST_CASE("sources that jump where an interface is, not at its chords, are each side's own", "[fem][curves]") {
+  // u = r^2 inside, where K = 1, and r^2 / 5 plus a constant outside, where K = 5: -4 on both sides, as -K div grad u.
+  constexpr double conductive = 5.0;
+  const auto is_inside = [](const Point& p) { return norm(p) < radius; };
+  const ExactFunction exact{[=](const Point& p) {
+                              const double r2 = squared_norm(p);
+                              return is_inside(p) ? r2 : r2 / conductive + (1 - 1 / conductive) * radius * radius;
+                            },
+                            [=](const Point& p) { return (is_inside(p) ? 2.0 : 2.0 / conductive) * p; }};
+  Problem problem;
+  problem.diffusion = [](const Point&, int region) {
+    return region == 1 ? identity_tensor : Diffusion{conductive, 0, conductive};
+  };
+  problem.source = [=](const Point& p, int region) {
+    return -(region == 1 ? 1.0 : conductive) * (is_inside(p) ? 4.0 : 4.0 / conductive);
+  };
+  for (const int label : {Bottom, Right, Top})
+    problem.boundary[label] =
+        neumann([=](const Point& p, const Vector& n, int) { return conductive * dot(n, exact.gradient(p)); });
+  problem.boundary[Left] = dirichlet([exact](const Point& p, const Vector&, int) { return exact.value(p); });
+  const Domain domain = square_with_circle(false);
+  const Effectivities e = effectivities(domain, problem, exact, 0.06);
+  CHECK(e.l2 == Approx(1.0).margin(0.05));
+  CHECK(e.h1 == Approx(1.0).margin(0.1));
+  problem.correct_defect = true;
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(0.06))).mesh;
+  DiscreteProblem discrete(mesh, problem, {}, arc_heights(mesh, domain));
+  const double interpolated = error_norms(mesh, interpolate(mesh, exact.value), exact).l2;
+  CHECK(error_norms(mesh, solve(discrete).values, exact).l2 < 1.1 * interpolated);
+}
+
 TEST_CASE("what chords of holes add to the error is estimated", "[fem][estimate][curves]") {
   const int m = GENERATE(1, 2);
   Multipole u{m, std::pow(radius, 2 * m)};  // without flux through the circle

@@ -142,4 +142,21 @@ TEST_CASE("where nothing holds u the functional is taken of u less its mean", "[
   CHECK(std::abs(equations(mesh, problem).mass.dot(vector_of(z))) < 1e-12);
 }
 
+TEST_CASE("where nothing holds u, z satisfies the transposed equations with a velocity, too", "[fem][dual]") {
+  // A^T z = J - (J.1 / m.1) m: constants are in the null space of A, not of A^T.
+  Problem problem;
+  problem.diffusion = [](const Point&, int) { return identity_tensor; };
+  problem.velocity = [](const Point& p, int) { return Vector{2, 1 + p.x}; };
+  for (const int label : {Left, Right, Bottom, Top}) problem.boundary[label] = neumann({});
+  const Mesh mesh = random_square(9, 0.2, 7);
+  const GoalFunctional goal = density([](const Point& p, int) { return 1.0 + p.x; });
+  const std::vector<double> z = solve_dual(mesh, problem, goal);
+  const AssembledSystem system = equations(mesh, problem);
+  const Functional functional = functional_vector(mesh, goal);
+  const Eigen::VectorXd blind = vector_of(functional) - vector_of(functional).sum() / system.mass.sum() * system.mass;
+  const Eigen::VectorXd left_over = system.matrix.transpose() * vector_of(z) - blind;
+  CHECK(left_over.lpNorm<Eigen::Infinity>() < 1e-10 * blind.lpNorm<Eigen::Infinity>());
+  CHECK(std::abs(system.mass.dot(vector_of(z))) < 1e-12);
+}
+
 }  // namespace parmesan

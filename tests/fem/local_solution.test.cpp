@@ -167,7 +167,8 @@ TEST_CASE("a linear solution needs no correction on a patch", "[fem][singular]")
     problem.source = [](const Point&, int) { return 3 * -2.0 + 1 * 5.0; };
   }
   const Mesh mesh = l_shape_mesh(8);
-  LocalSolution local(mesh, problem, labelled_sides(mesh));
+  const std::vector<Side> sides = labelled_sides(mesh);
+  LocalSolution local(SmoothParts(mesh, problem, sides), problem, sides);
   REQUIRE_FALSE(local.empty());
   const std::vector<double> values = interpolate(mesh, linear);
   const std::vector<Surplus> none(mesh.triangles.size());
@@ -195,7 +196,8 @@ TEST_CASE("point sources load the patch where they lie in it", "[fem][singular][
   const Point place = GENERATE_COPY(inside, at_corner_of_patch, outside);
   problem.point_sources = {{place, 2.0}};
   const Mesh mesh = l_shape_mesh(8);
-  REQUIRE_FALSE(LocalSolution(mesh, problem, labelled_sides(mesh)).empty());
+  const std::vector<Side> sides = labelled_sides(mesh);
+  REQUIRE_FALSE(LocalSolution(SmoothParts(mesh, problem, sides), problem, sides).empty());
   const Solution solution = solve(mesh, problem);
   CHECK(solution.report.correction_steps > 0);
   CHECK(solution.fluxes.at(Bottom) == Approx(-2.0).epsilon(1e-10));
@@ -262,7 +264,9 @@ TEST_CASE("a patch where only the mean of the solution is known", "[fem][singula
 
 TEST_CASE("nothing is local where nothing is singular", "[fem][singular]") {
   const Mesh mesh = rectangle_mesh(8, 8);
-  CHECK(LocalSolution(mesh, unit_poisson(), labelled_sides(mesh)).empty());
+  const Problem problem = unit_poisson();
+  const std::vector<Side> sides = labelled_sides(mesh);
+  CHECK(LocalSolution(SmoothParts(mesh, problem, sides), problem, sides).empty());
 }
 
 }  // namespace parmesan

@@ -15,7 +15,8 @@ using namespace support;
 
 RefinedPatch patch_of(const Mesh& mesh) {
   const std::vector<Side> sides = labelled_sides(mesh);
-  return refined_patch(mesh, sides, singular_vertices(mesh, unit_poisson(), sides));
+  const Problem problem = unit_poisson();
+  return refined_patch(mesh, sides, singular_vertices(SmoothParts(mesh, problem, sides), problem, sides));
 }
 
 double length_of_edges(const Mesh& mesh) {

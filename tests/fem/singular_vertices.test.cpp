@@ -1,6 +1,7 @@
 #include "fem/singular_vertices.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/fem/manufactured.h"
 
@@ -11,7 +12,8 @@ using namespace support;
 
 std::vector<Point> singular_points(const Mesh& mesh, const Problem& problem) {
   std::vector<Point> points;
-  for (const int v : singular_vertices(mesh, problem, labelled_sides(mesh)))
+  const std::vector<Side> sides = labelled_sides(mesh);
+  for (const int v : singular_vertices(SmoothParts(mesh, problem, sides), problem, sides))
     points.push_back(mesh.points[static_cast<std::size_t>(v)]);
   return points;
 }
@@ -93,6 +95,68 @@ TEST_CASE("interfaces are singular where they end, branch or turn", "[fem][singu
   CHECK(
       singular_points(quarters, materials([](int region) { return region == 1 || region == 4 ? 9.0 : 1.0; })).size() ==
       5);
+}
+
+namespace {
+
+/// The lower left quarter of the unit square is region 2, what is around it region 1.
+Mesh quarter_in_square() {
+  constexpr int interface = 7;
+  Mesh mesh = rectangle_mesh(4, 4);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Point middle;
+    for (const int v : mesh.triangles[t]) middle = middle + (1.0 / 3.0) * mesh.points[static_cast<std::size_t>(v)];
+    mesh.regions[t] = middle.x < 0.5 && middle.y < 0.5 ? 2 : 1;
+  }
+  for (int i = 0; i < 2; ++i) {
+    mesh.edges.insert(mesh.edges.end(), {{5 * i + 2, 5 * i + 7}, {10 + i, 11 + i}});
+    mesh.labels.insert(mesh.labels.end(), {interface, interface});
+  }
+  return mesh;
+}
+
+/// With x -> A x, the equation with K becomes that with A K A^T, and a singular vertex stays one.
+struct LinearMap {
+  double xx, xy, yx, yy;
+  Point operator()(const Point& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
+  Mesh operator()(Mesh mesh) const {
+    for (Point& p : mesh.points) p = (*this)(p);
+    return mesh;
+  }
+  Diffusion operator()(const Diffusion& k) const {
+    const Vector x{k.xx * xx + k.xy * xy, k.xy * xx + k.yy * xy}, y{k.xx * yx + k.xy * yy, k.xy * yx + k.yy * yy};
+    return {xx * x.x + xy * x.y, yx * x.x + yy * x.y, yx * y.x + yy * y.y};
+  }
+};
+
+std::vector<int> singular_of(const Mesh& mesh, const Problem& problem) {
+  const std::vector<Side> sides = labelled_sides(mesh);
+  return singular_vertices(SmoothParts(mesh, problem, sides), problem, sides);
+}
+
+}  // namespace
+
+TEST_CASE("which vertices are singular does not depend on the coordinates", "[fem][singular]") {
+  const auto shape = GENERATE(0, 1, 2);
+  const Mesh mesh = shape == 0 ? rectangle_mesh(4, 4) : shape == 1 ? l_shape_mesh(3) : quarter_in_square();
+  const LinearMap map = GENERATE(LinearMap{1, 0, 2, 1}, LinearMap{1, 0, -2, 1}, LinearMap{5, 0, 0, 1},
+                                 LinearMap{1, 0.3, 0.3, 1}, LinearMap{2, 3, -1, 1});
+  Problem before = unit_poisson(), after = unit_poisson();
+  for (Problem* problem : {&before, &after}) problem->boundary[Left] = neumann({});
+  before.diffusion = [](const Point&, int region) { return region == 2 ? Diffusion{6, 2, 4} : Diffusion{2, -0.5, 1}; };
+  after.diffusion = [before, map](const Point& p, int region) { return map(before.diffusion(p, region)); };
+  CHECK(singular_of(mesh, before) == singular_of(map(mesh), after));
+}
+
+TEST_CASE("a tensor makes corners wider and narrower", "[fem][singular]") {
+  // With [[1, c], [c, 1]] the axes are arccos(-c) apart in the metric of the inverse: 154 and 26 degrees for 0.9.
+  Problem problem = unit_poisson();
+  problem.boundary[Left] = neumann({});
+  const double c = GENERATE(0.0, 0.1, 0.2, 0.9, -0.9);
+  problem.diffusion = [c](const Point&, int) { return Diffusion{1, c, 1}; };
+  const double degrees = 180 / M_PI * std::acos(-std::abs(c));
+  const std::vector<Point> wide{{0, c > 0 ? 0.0 : 1.0}};
+  CHECK(singular_points(rectangle_mesh(4, 4), problem) == (degrees > 99 ? wide : std::vector<Point>{}));
 }
 
 }  // namespace parmesan

@@ -74,13 +74,20 @@ void add_mesh_input_options(CLI::App& app, MeshInputOptions& options) {
 
 namespace {
 
+/// Error indicators and what they belong to.
+struct Indicators {
+  IndicatorPlace place = IndicatorPlace::Triangles;
+  std::vector<double> values;
+};
+
 /// The scalars of a file at the triangles or at the vertices.
-std::vector<double> read_indicators(const std::string& path) {
+Indicators read_indicators(const std::string& path) {
   const MeshFields fields = read_medit_fields(path);
-  const std::vector<MeshField>& found = fields.cells.empty() ? fields.points : fields.cells;
+  const bool at_vertices = fields.cells.empty();
+  const std::vector<MeshField>& found = at_vertices ? fields.points : fields.cells;
   if (found.size() != 1 || found.front().components != 1)
     throw FileError(path, 0, "must have one scalar per triangle or per vertex, and no other field");
-  return found.front().values;
+  return {at_vertices ? IndicatorPlace::Vertices : IndicatorPlace::Triangles, found.front().values};
 }
 
 /// Tells of a number of vertices that sizes which change so much at most do not come to.
@@ -96,14 +103,14 @@ void warn_of_limited_change(const Mesh& background, std::span<const Metric> metr
 
 std::vector<Metric> read_metrics(const Mesh& background, const MeshInputOptions& options) {
   if (options.indicator.empty()) return read_medit_metric(options.metric, background.num_vertices());
+  const Indicators indicators = read_indicators(options.indicator);
   const IndicatorRequest request{.order = options.order,
-                                 .complexity = complexity_for_vertices(static_cast<double>(options.vertices))};
+                                 .complexity = complexity_for_vertices(static_cast<double>(options.vertices)),
+                                 .place = indicators.place};
   try {
-    std::vector<Metric> metrics = metric_from_indicators(background, read_indicators(options.indicator), request);
+    std::vector<Metric> metrics = metric_from_indicators(background, indicators.values, request);
     warn_of_limited_change(background, metrics, request);
     return metrics;
-  } catch (const FileError&) {
-    throw;
   } catch (const InputError& error) {
     throw FileError(options.indicator, 0, error.what());
   }
