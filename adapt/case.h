@@ -45,7 +45,7 @@ struct Case {
   std::string name;
   std::string title;
   nlohmann::ordered_json resolved;  // as run, every default filled in
-  std::vector<std::string> files;           // that it names, and those that are read along with them
+  std::vector<std::string> files;   // that it names, and those that are read along with them
   Domain domain;
   std::vector<int> required_regions;        // whose triangles stay as the file, or the first mesh, has them
   std::optional<Mesh> kept;                 // the mesh of the geometry's file, where that has required triangles

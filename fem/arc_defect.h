@@ -16,10 +16,10 @@ namespace parmesan {
 ///
 ///     n.S = (1 + d'^2 / 2) g + (d t.S)' - d r,    r = b.grad u + c u - f,
 ///
-/// on the chord to second order; g is where the arc is, and K and r are taken where the chord or, as far behind the arc,
-/// its mirror image lies in the region. On boundary sides with a Neumann or Robin condition, where g is
-/// given, this leaves int (g on the chord - n.S) phi_i; between regions, where it is the same on both sides, the
-/// difference of the two n.S.
+/// on the chord to second order; g is where the arc is, and K and r are taken where the chord or, as far behind the
+/// arc, its mirror image lies in the region. On boundary sides with a Neumann or Robin condition, where g is given,
+/// this leaves int (g on the chord - n.S) phi_i; between regions, where it is the same on both sides, the difference of
+/// the two n.S.
 ///
 /// values: of w, which with this surplus stands for u; gradients: at the vertices of discrete.parts. Zero where sides
 /// are straight. Errors: ProblemError where a coefficient is not finite. Cost: O(n), O(sides) evaluations.

@@ -23,8 +23,8 @@ struct LocalCorrection {
 class LocalSolution {
  public:
   /// Empty where nothing is singular, or refined_patch() or the equations on the patch are of no use. The whole mesh of
-  /// the parts must live as long. Cost: O(n), and the factorization of the equations of twelve vertices for each triangle of the
-  /// patch.
+  /// the parts must live as long. Cost: O(n), and the factorization of the equations of twelve vertices for each
+  /// triangle of the patch.
   LocalSolution(const SmoothParts& parts, const Problem& problem, const std::vector<Side>& sides);
   LocalSolution(const LocalSolution&) = delete;
   LocalSolution& operator=(const LocalSolution&) = delete;

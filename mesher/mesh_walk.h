@@ -22,9 +22,9 @@ class MeshWalk {
   /// The mesh must outlive the walk. Errors: InputError for a mesh without triangles.
   explicit MeshWalk(const Mesh& mesh);
 
-  /// The triangle of the point; of a point outside, the nearest place of the mesh. triangle: where the walk begins, 0 if
-  /// nothing is known, and then where it ended. Cost: O(triangles crossed), outside O(log n) expected where the mesh is
-  /// numbered locally.
+  /// The triangle of the point; of a point outside, the nearest place of the mesh. triangle: where the walk begins, 0
+  /// if nothing is known, and then where it ended. Cost: O(triangles crossed), outside O(log n) expected where the mesh
+  /// is numbered locally.
   MeshPlace locate(const Point& p, std::size_t& triangle) const;
 
   /// Nothing for a point outside.

@@ -112,10 +112,10 @@ void refuse_one_place(const DomainRepair& repair, const Segment& s, const std::v
   const Curve& curve = curve_of(repair, s);
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     if (curve.at(cuts[i - 1].t) != curve.at(cuts[i].t)) continue;
-    throw GeometryError("the points " + repair.point_text(cuts[i - 1].point) + " and " +
-                            repair.point_text(cuts[i].point) +
-                            " are at the same place of a curve; give one of them, or a merge tolerance that makes them one",
-                        {repair.source_point(cuts[i - 1].point), repair.source_point(cuts[i].point)});
+    throw GeometryError(
+        "the points " + repair.point_text(cuts[i - 1].point) + " and " + repair.point_text(cuts[i].point) +
+            " are at the same place of a curve; give one of them, or a merge tolerance that makes them one",
+        {repair.source_point(cuts[i - 1].point), repair.source_point(cuts[i].point)});
   }
 }
 

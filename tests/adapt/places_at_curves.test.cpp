@@ -28,14 +28,15 @@ double value_of_plane(const Case& input, double vertices) {
 }
 
 std::string plane_case(const std::string& geometry, const std::string& place) {
-  return R"({"geometry": {)" + geometry + R"(}, "problem": {"interpolate": "2*x + 3*y"}, "functionals": {"here": {"value": )" +
-         place + "}}}";
+  return R"({"geometry": {)" + geometry +
+         R"(}, "problem": {"interpolate": "2*x + 3*y"}, "functionals": {"here": {"value": )" + place + "}}}";
 }
 
 }  // namespace
 
 TEST_CASE("values are known on curves and between them and their chords", "[adapt][curves]") {
-  const std::string ring = R"("disc": {"center": [3, -1], "radius": 2}, "holes": [{"disc": {"center": [3.5, -1], "radius": 1}}])";
+  const std::string ring =
+      R"("disc": {"center": [3, -1], "radius": 2}, "holes": [{"disc": {"center": [3.5, -1], "radius": 1}}])";
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angles(-4.0, 4.0);
   for (int k = 0; k < 20; ++k) {
