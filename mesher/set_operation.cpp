@@ -15,11 +15,9 @@
 namespace parmesan {
 namespace {
 
-DomainRepair subdivide(Domain domain) {
+DomainRepair subdivide_without_seeds(Domain domain) {
   domain.regions.clear();
-  DomainRepair repair = split_curves(merge_points(domain));
-  repair = split_at_inner_vertices(drop_repeated_segments(std::move(repair)));
-  return split_at_crossings(std::move(repair));
+  return subdivide(domain);
 }
 
 struct Result {
@@ -43,13 +41,7 @@ class Arrangement {
   int num_segments() const { return static_cast<int>(subdivision_.domain.segments.size()); }
 
   /// The segments of the operands that run along one of the subdivision.
-  std::vector<int> sources(int segment) const {
-    const SegmentSource& source = subdivision_.segment_sources[at(segment)];
-    std::vector<int> all{source.number};
-    all.insert(all.end(), source.repeated.begin(), source.repeated.end());
-    std::sort(all.begin(), all.end());
-    return all;
-  }
+  std::vector<int> sources(int segment) const { return subdivision_.segment_sources[at(segment)].all(); }
 
   void find_faces(SetOperation operation);
   std::optional<int> source_kept(int segment) const;
@@ -225,7 +217,7 @@ bool is_fit(const Result& result) {
 Domain combine(SetOperation operation, std::span<const Domain> domains) {
   Operands operands = gather(domains);
   while (!operands.all.segments.empty()) {
-    DomainRepair subdivision = subdivide(operands.all);
+    DomainRepair subdivision = subdivide_without_seeds(operands.all);
     if (const auto conflict = find_outline(subdivision.domain).conflict) {
       const std::vector<int> segments{subdivision.source_segment(conflict->first),
                                       subdivision.source_segment(conflict->second)};
