@@ -109,13 +109,18 @@ const std::map<std::string, SetOperation>& operations() {
   return names;
 }
 
-/// Throws the errors of a shape with its pointer.
-void require_valid(const Domain& domain, const std::string& pointer) {
+/// What work() returns; throws its errors with the pointer of the shape.
+template <class Work>
+auto naming_shape(const std::string& pointer, Work work) {
   try {
-    if (!domain.segments.empty()) clean(domain);
+    return work();
   } catch (const GeometryError& error) {
     throw GeometryError(pointer + ": " + error.what(), error.indices());
   }
+}
+
+void require_valid(const Domain& domain, const std::string& pointer) {
+  if (!domain.segments.empty()) naming_shape(pointer, [&domain] { return clean(domain); });
 }
 
 void add_operation(CaseReading& reading, const Json& shapes, SetOperation operation, const std::string& pointer,
@@ -131,7 +136,8 @@ void add_operation(CaseReading& reading, const Json& shapes, SetOperation operat
     domains.push_back(result.builder.renumbered(shape->builder.domain()));
     result.is_from_file = result.is_from_file || shape->is_from_file;
   }
-  if (reading.issues.clean(pointer)) result.builder.replace(combine(operation, domains));
+  if (!reading.issues.clean(pointer)) return;
+  result.builder.replace(naming_shape(pointer, [&] { return combine(operation, domains); }));
 }
 
 void add_outline(CaseReading& reading, const Json& geometry, const std::string& pointer, Shape& shape) {

@@ -37,8 +37,11 @@ void add(Operands& operands, const Domain& domain) {
     operands.owners.push_back(operands.count);
     operands.is_border.push_back(static_cast<char>(inside[at(left)] != inside[at(right)]));
   }
-  for (const RegionSeed& seed : domain.regions)
-    if (inside[at(faces.at(seed.point))] != 0) all.regions.push_back(seed);
+  for (const RegionSeed& seed : domain.regions) {
+    if (inside[at(faces.at(seed.point))] == 0) continue;
+    all.regions.push_back(seed);
+    operands.region_owners.push_back(operands.count);
+  }
   for (const int v : domain.required_points) all.required_points.push_back(first_point + v);
   all.label_names.insert(domain.label_names.begin(), domain.label_names.end());
   all.region_names.insert(domain.region_names.begin(), domain.region_names.end());

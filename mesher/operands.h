@@ -14,8 +14,9 @@ namespace parmesan {
 /// segments, points and region seeds inside of them.
 struct Operands {
   Domain all;
-  std::vector<int> owners;      // of each segment, the domain that it is of
-  std::vector<char> is_border;  // of each segment: the domain lies on one side of it only
+  std::vector<int> owners;         // of each segment, the domain that it is of
+  std::vector<int> region_owners;  // the same of each region seed, ascending
+  std::vector<char> is_border;     // of each segment: the domain lies on one side of it only
   int count = 0;
 };
 

@@ -238,4 +238,34 @@ TEST_CASE("A hole stays one where segments run through it", "[adapt][case][parts
                                     "segments": [{"from": [4, 4], "to": [0, 4]}])")) == Approx(16.0).epsilon(1e-14));
 }
 
+TEST_CASE("Pieces that an operation leaves of a region are in it", "[adapt][case][parts]") {
+  const PartFiles files;
+  const std::string file = R"({"file": "halves.geojson"})";
+  const auto result = [&](const std::string& name, const std::string& other) {
+    return files.domain("\"" + name + "\": [" + file + ", " + other + "]");
+  };
+  const std::string x = GENERATE("1.0", "1.3333333333333333", "2.0");
+  check_areas(result("difference", R"({"polygon": [[)" + x + R"(, 0.5], [3, 0.5], [3, 1.5]]})"),
+              8.0 - 0.5 * (3.0 - std::stod(x)), 8.0);
+  check_areas(result("difference", R"({"disc": {"center": [)" + x + R"(, 1], "radius": 0.8, "points": 4}})"),
+              8.0 - 2.0 * 0.64, 8.0);
+  check_areas(result("difference", R"({"rectangle": {"min": [1.9, -1], "max": [2.1, 3]}})"), 7.6, 7.8);
+  check_areas(result("intersection", R"({"rectangle": {"min": [0, 1.5], "max": [0.5, 2.25]}})"), 0.25, 0.125);
+  check_areas(result("intersection", R"({"disc": {"center": [0, 2], "radius": 1, "points": 4}})"), 0.5, 0.5);
+  const std::string inner = R"({"difference": [)" + file + R"(, {"rectangle": {"min": [1.9, -1], "max": [2.1, 3]}}]})";
+  check_areas(files.domain(R"("difference": [)" + inner + R"(, {"rectangle": {"min": [0.9, -1], "max": [1.1, 5]}}])"),
+              7.6 - 0.4, 7.8 - 0.4);
+}
+
+TEST_CASE("Regions that an operation lets run together are refused", "[adapt][case][parts][errors]") {
+  const PartFiles files;
+  const std::string other =
+      GENERATE(R"({"rectangle": {"min": [4, 0], "max": [6, 4]}})", R"({"rectangle": {"min": [3, 1], "max": [6, 3]}})");
+  CHECK_THAT(files.issues(R"("union": [{"file": "halves.geojson"}, )" + other + "]"),
+             Contains("/geometry/union: nothing parts the regions") && Contains("'steel'") && Contains("'wood'"));
+  // One of them alone takes what touches it.
+  check_areas(files.domain(R"("union": [{"file": "halves.geojson"}, {"rectangle": {"min": [4, 0], "max": [6, 1]}}])"),
+              10.0, 8.0);
+}
+
 }  // namespace parmesan
