@@ -105,8 +105,10 @@ void refuse_infinite_errors(CaseReading& reading, const Case& result) {
 }
 
 // Whether the domain can be meshed is not looked at.
-Case parse_unclean(const std::string& text, const std::string& file, const std::vector<Override>& overrides) {
+Case parse_unclean(const std::string& text, const std::string& file, const std::vector<Override>& overrides,
+                   double merge_tolerance = 0.0) {
   CaseReading reading;
+  reading.merge_tolerance = merge_tolerance;
   reading.document = load_document(text, file, overrides, reading.issues);
   read_parameters(reading);
   const Json schema = case_schema();
@@ -157,7 +159,7 @@ Case read_case(const std::string& path, const std::vector<Override>& overrides) 
   return parse_case(case_text(path), path, overrides);
 }
 
-std::optional<GeometryInput> read_case_geometry(const std::string& path) {
+std::optional<GeometryInput> read_case_geometry(const std::string& path, double merge_tolerance) {
   constexpr bool throws = false;
   constexpr bool ignores_comments = true;
   const std::string text = case_text(path);
@@ -166,7 +168,7 @@ std::optional<GeometryInput> read_case_geometry(const std::string& path) {
   if (!root.is_object() || !root.contains("geometry") || root.contains("type")) return std::nullopt;
   std::vector<Override> any_problem;
   if (!root.contains("problem")) any_problem.push_back({"/problem", R"({"interpolate": 0})"});
-  Case input = parse_unclean(text, path, any_problem);
+  Case input = parse_unclean(text, path, any_problem, merge_tolerance);
   return GeometryInput{std::move(input.domain), std::move(input.kept)};
 }
 

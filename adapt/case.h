@@ -74,7 +74,8 @@ Case parse_case(const std::string& text, const std::string& file, const std::vec
 
 /// What a case file, or a JSON file that has only the "geometry", and "parameters", of a case, describes: the domain as
 /// it is written, not cleaned, and the mesh that has the triangles it requires. Nothing when the file is not of this
-/// kind: JSON with the key "geometry" and without GeoJSON's "type". Errors: as read_case.
-std::optional<GeometryInput> read_case_geometry(const std::string& path);
+/// kind: JSON with the key "geometry" and without GeoJSON's "type". merge_tolerance: takes the place of the case's,
+/// unless 0. Errors: as read_case.
+std::optional<GeometryInput> read_case_geometry(const std::string& path, double merge_tolerance = 0.0);
 
 }  // namespace parmesan

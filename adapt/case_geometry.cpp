@@ -6,6 +6,7 @@
 #include "adapt/case_shapes.h"
 #include "adapt/domain_builder.h"
 #include "adapt/nearest_name.h"
+#include "mesher/base_faces.h"
 #include "mesher/generate_around.h"
 
 namespace parmesan {
@@ -89,6 +90,12 @@ bool is_usable_alone(CaseReading& reading, const Json& geometry, const Shape& sh
   return reading.issues.clean(kGeometry);
 }
 
+/// Whether what was added to a base may part what its seeds stand for.
+bool may_move_seeds(const Domain& domain, const DomainBase& base) {
+  const bool adds = domain.segments.size() > base.segments || domain.points.size() > base.points;
+  return adds && (domain.inside == Inside::EvenOdd || base.holes > 0 || base.regions > 0);
+}
+
 }  // namespace
 
 std::map<std::string, std::vector<int>> regions_by_name(const Domain& domain) {
@@ -114,6 +121,7 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
   DomainBuilder& builder = shape->builder;
   CaseGeometry result;
   const std::vector<int> outline = builder.labels_in_use();
+  const DomainBase base = base_of(builder.domain());
   add_insides(reading, geometry, builder);
   result.cracks = builder.crack_labels();
   for (const int label : builder.labels_in_use()) {
@@ -121,7 +129,8 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
     (is_side && !shape->is_from_file ? result.sides : result.optional).push_back(label);
   }
   result.domain = builder.domain();
-  result.domain.merge_tolerance = geometry.value("merge_tolerance", 0.0);
+  result.domain.merge_tolerance = merge_tolerance_of(reading, kGeometry);
+  if (may_move_seeds(result.domain, base)) result.domain = with_parts_kept(std::move(result.domain), base);
   result.required_regions = read_required_regions(reading, geometry, result.domain);
   if (shape->mesh) result.kept = mesh_to_keep(reading, geometry, std::move(*shape->mesh), result);
   if (!reading.issues.clean(kGeometry)) return std::nullopt;

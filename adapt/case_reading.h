@@ -26,6 +26,7 @@ struct CaseReading {
   CaseIssues issues;
   std::map<std::string, double> parameters;
   std::vector<std::string> files;  // that the case names, and those that are read along with them
+  double merge_tolerance = 0.0;    // in place of the geometry's; 0: that
 
   /// A number or an expression; nothing, and an issue, when it cannot be parsed.
   std::optional<Expression> expression(const nlohmann::ordered_json& value, const std::string& pointer,
@@ -46,6 +47,13 @@ inline std::optional<double> optional_number(const nlohmann::ordered_json& secti
 inline std::optional<std::int64_t> optional_count(const nlohmann::ordered_json& section, const char* key) {
   if (!section.contains(key)) return std::nullopt;
   return static_cast<std::int64_t>(section[key].get<double>());
+}
+
+/// The merge tolerance of /geometry; shapes of operations have none.
+inline double merge_tolerance_of(const CaseReading& reading, const std::string& pointer) {
+  if (pointer != "/geometry") return 0.0;
+  if (reading.merge_tolerance > 0.0) return reading.merge_tolerance;
+  return reading.document.root["geometry"].value("merge_tolerance", 0.0);
 }
 
 /// A domain with what boundary conditions need to know of it.

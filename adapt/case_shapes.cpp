@@ -109,13 +109,18 @@ const std::map<std::string, SetOperation>& operations() {
   return names;
 }
 
-/// Throws the errors of a shape with its pointer.
-void require_valid(const Domain& domain, const std::string& pointer) {
+/// What work() returns; throws its errors with the pointer of the shape.
+template <class Work>
+auto naming_shape(const std::string& pointer, Work work) {
   try {
-    if (!domain.segments.empty()) clean(domain);
+    return work();
   } catch (const GeometryError& error) {
     throw GeometryError(pointer + ": " + error.what(), error.indices());
   }
+}
+
+void require_valid(const Domain& domain, const std::string& pointer) {
+  if (!domain.segments.empty()) naming_shape(pointer, [&domain] { return clean(domain); });
 }
 
 void add_operation(CaseReading& reading, const Json& shapes, SetOperation operation, const std::string& pointer,
@@ -131,7 +136,8 @@ void add_operation(CaseReading& reading, const Json& shapes, SetOperation operat
     domains.push_back(result.builder.renumbered(shape->builder.domain()));
     result.is_from_file = result.is_from_file || shape->is_from_file;
   }
-  if (reading.issues.clean(pointer)) result.builder.replace(combine(operation, domains));
+  if (!reading.issues.clean(pointer)) return;
+  result.builder.replace(naming_shape(pointer, [&] { return combine(operation, domains); }));
 }
 
 void add_outline(CaseReading& reading, const Json& geometry, const std::string& pointer, Shape& shape) {
@@ -167,12 +173,12 @@ void add_hole(CaseReading& reading, const Json& hole, const std::string& label, 
   if (path) builder.add_hole(*path);
 }
 
-/// outline: how many segments, the first ones, go around the domain; 0: unknown.
-void add_holes(CaseReading& reading, const Json& holes, const std::string& place, std::size_t outline,
-               DomainBuilder& builder) {
+void add_holes(CaseReading& reading, const Json& shape, const std::string& place, DomainBuilder& builder) {
+  if (!shape.contains("holes")) return;
+  const DomainBase base = base_of(builder.domain());
   int number = 0;
   std::vector<PlacedHole> placed;
-  for (const Json& hole : holes) {
+  for (const Json& hole : shape["holes"]) {
     const std::string pointer = place + "/holes/" + std::to_string(number);
     const std::string name = "hole" + std::to_string(++number);
     const std::size_t first = builder.domain().segments.size();
@@ -182,10 +188,14 @@ void add_holes(CaseReading& reading, const Json& holes, const std::string& place
       add_hole(reading, hole, hole.value("label", name), pointer, builder);
     }
     const std::size_t last = builder.domain().segments.size();
-    if (last > first) placed.push_back({pointer, first, last, builder.domain().holes.back()});
+    if (last > first) placed.push_back({pointer, first, last});
   }
-  for (const HoleFault& fault : misplaced_holes(builder.domain(), placed, outline))
+  Domain domain = builder.domain();
+  domain.merge_tolerance = merge_tolerance_of(reading, place);
+  HolePlacement placement = place_holes(std::move(domain), placed, base);
+  for (const HoleFault& fault : placement.faults)
     reading.issues.add_geometry(placed[fault.hole].pointer, fault.message);
+  builder.replace(std::move(placement.domain));
 }
 
 /// "labels": {"old": "new"}.
@@ -221,11 +231,7 @@ std::optional<Shape> read_shape(CaseReading& reading, const Json& shape, const s
   Shape result;
   add_outline(reading, shape, pointer, result);
   if (!reading.issues.clean(pointer)) return std::nullopt;
-  const bool is_ring = !result.is_from_file && std::ranges::none_of(operations(), [&shape](const auto& operation) {
-    return shape.contains(operation.first);
-  });
-  const std::size_t outline = is_ring ? result.builder.domain().segments.size() : 0;
-  add_holes(reading, shape.value("holes", Json::array()), pointer, outline, result.builder);
+  add_holes(reading, shape, pointer, result.builder);
   read_labels(reading, shape, pointer, result.builder);
   if (!reading.issues.clean(pointer)) return std::nullopt;
   return result;

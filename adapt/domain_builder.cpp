@@ -151,7 +151,7 @@ Domain DomainBuilder::renumbered(Domain domain) {
   }
   for (RegionSeed& seed : domain.regions) seed.region = region(label_name(domain.region_names, seed.region));
   domain.label_names.clear();
-  domain.region_names.clear();
+  domain.region_names = domain_.region_names;
   return domain;
 }
 

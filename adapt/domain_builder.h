@@ -34,7 +34,8 @@ class DomainBuilder {
   /// A ring with a hole seed inside.
   void add_hole(const Ring& ring, const std::string& side);
 
-  /// The domain with the numbers that labels and regions of these names have here; new ones get numbers.
+  /// The domain with the numbers that labels and regions of these names have here; new ones get numbers. Of the names
+  /// it keeps those of regions, for messages.
   Domain renumbered(Domain domain);
 
   /// Puts a domain with the labels and regions of this one in its place.

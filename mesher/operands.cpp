@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <string>
 #include <utility>
 
@@ -17,24 +18,6 @@ namespace parmesan {
 namespace {
 
 constexpr double chord_share = 1e-4;
-
-/// The number of segments between each face and the unbounded one, at least.
-std::vector<int> layers_of(const Domain& domain, const Faces& faces) {
-  const std::vector<std::vector<int>> around = segments_around(static_cast<int>(domain.segments.size()), faces);
-  std::vector<int> layers(around.size(), -1);
-  std::vector<int> reached{0};
-  layers[0] = 0;
-  for (std::size_t i = 0; i < reached.size(); ++i) {
-    for (const int s : around[at(reached[i])]) {
-      for (const int face : faces.beside(s)) {
-        if (layers[at(face)] >= 0) continue;
-        layers[at(face)] = layers[at(reached[i])] + 1;
-        reached.push_back(face);
-      }
-    }
-  }
-  return layers;
-}
 
 /// Adds what of a domain counts; its points keep their order.
 void add(Operands& operands, const Domain& domain) {
@@ -54,8 +37,11 @@ void add(Operands& operands, const Domain& domain) {
     operands.owners.push_back(operands.count);
     operands.is_border.push_back(static_cast<char>(inside[at(left)] != inside[at(right)]));
   }
-  for (const RegionSeed& seed : domain.regions)
-    if (inside[at(faces.at(seed.point))] != 0) all.regions.push_back(seed);
+  for (const RegionSeed& seed : domain.regions) {
+    if (inside[at(faces.at(seed.point))] == 0) continue;
+    all.regions.push_back(seed);
+    operands.region_owners.push_back(operands.count);
+  }
   for (const int v : domain.required_points) all.required_points.push_back(first_point + v);
   all.label_names.insert(domain.label_names.begin(), domain.label_names.end());
   all.region_names.insert(domain.region_names.begin(), domain.region_names.end());
@@ -122,12 +108,34 @@ std::vector<std::vector<int>> segments_around(int num_segments, const Faces& fac
   return around;
 }
 
+// Faces with nothing counted between are reached first.
+std::vector<int> layers_of(int num_segments, const Faces& faces, const std::function<bool(int)>& counts) {
+  const std::vector<std::vector<int>> around = segments_around(num_segments, faces);
+  std::vector<int> layers(around.size(), -1);
+  std::deque<std::pair<int, int>> reached{{0, 0}};  // faces and their layers
+  while (!reached.empty()) {
+    const auto [from, layer] = reached.front();
+    reached.pop_front();
+    if (layers[at(from)] >= 0) continue;
+    layers[at(from)] = layer;
+    for (const int s : around[at(from)]) {
+      for (const int face : faces.beside(s)) {
+        if (layers[at(face)] >= 0) continue;
+        if (counts(s)) {
+          reached.emplace_back(face, layer + 1);
+        } else {
+          reached.emplace_front(face, layer);
+        }
+      }
+    }
+  }
+  return layers;
+}
+
 std::vector<char> faces_inside(const Domain& domain, const Faces& faces) {
-  const std::vector<int> layers = layers_of(domain, faces);
   std::vector<char> inside;
-  inside.reserve(layers.size());
-  for (const int layer : layers)
-    inside.push_back(static_cast<char>(domain.inside == Inside::EvenOdd ? layer % 2 == 1 : layer > 0));
+  for (const int layer : layers_of(static_cast<int>(domain.segments.size()), faces, [](int) { return true; }))
+    inside.push_back(static_cast<char>(is_inside_layer(layer, domain.inside)));
   for (std::size_t i = 0; i < domain.holes.size(); ++i) {
     const int face = faces.at(domain.holes[i]);
     if (face == 0) throw GeometryError("hole seed " + std::to_string(i) + " lies outside", {static_cast<int>(i)});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace parmesan {
 /// segments, points and region seeds inside of them.
 struct Operands {
   Domain all;
-  std::vector<int> owners;      // of each segment, the domain that it is of
-  std::vector<char> is_border;  // of each segment: the domain lies on one side of it only
+  std::vector<int> owners;         // of each segment, the domain that it is of
+  std::vector<int> region_owners;  // the same of each region seed, ascending
+  std::vector<char> is_border;     // of each segment: the domain lies on one side of it only
   int count = 0;
 };
 
@@ -26,6 +28,11 @@ Operands gather(std::span<const Domain> domains);
 
 /// The same with chords in place of the curves of some segments, off by 1e-4 of a curve's extent at most.
 Operands with_chords(const Operands& operands, std::span<const char> is_replaced);
+
+/// How many of the segments that count lie between each face and the unbounded one, at least. Cost: O(n).
+std::vector<int> layers_of(int num_segments, const Faces& faces, const std::function<bool(int)>& counts);
+
+inline bool is_inside_layer(int layer, Inside rule) { return rule == Inside::EvenOdd ? layer % 2 == 1 : layer > 0; }
 
 /// Which faces are inside of a domain, by its rule and its hole seeds.
 std::vector<char> faces_inside(const Domain& domain, const Faces& faces);

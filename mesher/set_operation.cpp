@@ -1,11 +1,13 @@
 #include "mesher/set_operation.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "mesher/disjoint_sets.h"
+#include "mesher/errors.h"
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/index.h"
@@ -15,11 +17,9 @@
 namespace parmesan {
 namespace {
 
-DomainRepair subdivide(Domain domain) {
+DomainRepair subdivide_without_seeds(Domain domain) {
   domain.regions.clear();
-  DomainRepair repair = split_curves(merge_points(domain));
-  repair = split_at_inner_vertices(drop_repeated_segments(std::move(repair)));
-  return split_at_crossings(std::move(repair));
+  return subdivide(domain);
 }
 
 struct Result {
@@ -35,6 +35,7 @@ class Arrangement {
     find_faces(operation);
     for (int s = 0; s < num_segments(); ++s) sources_kept_.push_back(source_kept(s));
     find_groups();
+    find_regions();
   }
 
   Result result() const;
@@ -43,26 +44,30 @@ class Arrangement {
   int num_segments() const { return static_cast<int>(subdivision_.domain.segments.size()); }
 
   /// The segments of the operands that run along one of the subdivision.
-  std::vector<int> sources(int segment) const {
-    const SegmentSource& source = subdivision_.segment_sources[at(segment)];
-    std::vector<int> all{source.number};
-    all.insert(all.end(), source.repeated.begin(), source.repeated.end());
-    std::sort(all.begin(), all.end());
-    return all;
+  std::vector<int> sources(int segment) const { return subdivision_.segment_sources[at(segment)].all(); }
+
+  bool is_of(int owner, int segment) const {
+    const std::vector<int> all = sources(segment);
+    return std::any_of(all.begin(), all.end(), [&](int source) { return operands_.owners[at(source)] == owner; });
   }
 
   void find_faces(SetOperation operation);
   std::optional<int> source_kept(int segment) const;
   void find_groups();
+  void find_regions();
+  void give_region(int face, int region);
   Segment labelled(int segment, int source) const;
-  void add_holes(Domain& domain) const;
+  std::vector<FacePoint> points_in_groups() const;
+  void add_holes(const std::vector<FacePoint>& points, Domain& domain) const;
+  void add_regions(const std::vector<FacePoint>& points, Domain& domain) const;
 
   const Operands& operands_;
   DomainRepair subdivision_;
   Faces faces_;
   std::vector<char> is_in_result_;                // of each face
   std::vector<std::optional<int>> sources_kept_;  // of each segment in the result: that whose label it has
-  std::vector<int> groups_;  // of each face: the lowest of those that no segment of the result parts from it
+  std::vector<int> groups_;     // of each face: the lowest of those that no segment of the result parts from it
+  std::map<int, int> regions_;  // of groups in the result
 };
 
 void Arrangement::find_faces(SetOperation operation) {
@@ -111,6 +116,36 @@ void Arrangement::find_groups() {
   for (int face = 0; face < faces_.count(); ++face) groups_.push_back(groups.find(face));
 }
 
+void Arrangement::give_region(int face, int region) {
+  const auto [found, is_new] = regions_.emplace(groups_[at(face)], region);
+  if (is_new || found->second == region) return;
+  const LabelNames& names = operands_.all.region_names;
+  throw GeometryError("nothing parts the regions '" + label_name(names, found->second) + "' and '" +
+                      label_name(names, region) +
+                      "' from each other in the result: where shapes meet or overlap "
+                      "there is no side between them");
+}
+
+// A seed stands for all faces that no segment of its operand parts from it; of several operands' the first counts.
+void Arrangement::find_regions() {
+  std::vector<char> has_region(at(faces_.count()), 0);
+  const std::vector<RegionSeed>& seeds = operands_.all.regions;
+  for (std::size_t first = 0, last = 0; first < seeds.size(); first = last) {
+    const int owner = operands_.region_owners[first];
+    DisjointSets parts(has_region.size());
+    for (int s = 0; s < num_segments(); ++s)
+      if (!is_of(owner, s)) parts.unite(faces_.beside(s)[0], faces_.beside(s)[1]);
+    std::map<int, int> region_of_part;
+    for (; last < seeds.size() && operands_.region_owners[last] == owner; ++last)
+      region_of_part.emplace(parts.find(faces_.at(seeds[last].point)), seeds[last].region);
+    for (int face = 0; face < faces_.count(); ++face) {
+      const auto found = region_of_part.find(parts.find(face));
+      if (found == region_of_part.end() || is_in_result_[at(face)] == 0) continue;
+      if (std::exchange(has_region[at(face)], char{1}) == 0) give_region(face, found->second);
+    }
+  }
+}
+
 // A piece of a straight segment may run against the one whose labels it gets.
 Segment Arrangement::labelled(int segment, int source) const {
   Segment piece = subdivision_.segment(segment);
@@ -131,16 +166,32 @@ Segment Arrangement::labelled(int segment, int source) const {
   return piece;
 }
 
-// One seed in each group of faces that the result encloses.
-void Arrangement::add_holes(Domain& domain) const {
+std::vector<FacePoint> Arrangement::points_in_groups() const {
   const std::vector<FacePoint> points = faces_.points_inside();
   std::vector<FacePoint> best(points.size());
   for (int face = 0; face < faces_.count(); ++face) {
     FacePoint& candidate = best[at(groups_[at(face)])];
     if (points[at(face)].doubled_area > candidate.doubled_area) candidate = points[at(face)];
   }
+  return best;
+}
+
+// One seed in each group of faces that the result encloses.
+void Arrangement::add_holes(const std::vector<FacePoint>& points, Domain& domain) const {
   for (int face = 1; face < faces_.count(); ++face)
-    if (groups_[at(face)] == face && is_in_result_[at(face)] == 0) domain.holes.push_back(best[at(face)].place);
+    if (groups_[at(face)] == face && is_in_result_[at(face)] == 0) domain.holes.push_back(points[at(face)].place);
+}
+
+// Given seeds stay where they are good.
+void Arrangement::add_regions(const std::vector<FacePoint>& points, Domain& domain) const {
+  std::map<int, int> missing = regions_;
+  for (const RegionSeed& seed : operands_.all.regions) {
+    const auto found = missing.find(groups_[at(faces_.at(seed.point))]);
+    if (found == missing.end() || found->second != seed.region) continue;
+    domain.regions.push_back(seed);
+    missing.erase(found);
+  }
+  for (const auto& [group, region] : missing) domain.regions.push_back({points[at(group)].place, region});
 }
 
 /// Leaves out the points that nothing needs, and the curves.
@@ -179,13 +230,9 @@ Result Arrangement::result() const {
     domain.segments.push_back(labelled(s, *sources_kept_[at(s)]));
     is_border.push_back(static_cast<char>(is_in_result_[at(left)] != is_in_result_[at(right)]));
   }
-  add_holes(domain);
-  std::vector<char> has_region(groups_.size(), 0);
-  for (const RegionSeed& seed : operands_.all.regions) {
-    const std::size_t face = at(faces_.at(seed.point));
-    if (is_in_result_[face] != 0 && std::exchange(has_region[at(groups_[face])], char{1}) == 0)
-      domain.regions.push_back(seed);
-  }
+  const std::vector<FacePoint> points = points_in_groups();
+  add_holes(points, domain);
+  add_regions(points, domain);
   std::vector<char> is_alone(domain.points.size(), 1);
   for (const Segment& s : subdivision_.domain.segments) is_alone[at(s.a)] = is_alone[at(s.b)] = 0;
   for (std::size_t v = 0; v < is_alone.size(); ++v)
@@ -203,7 +250,7 @@ std::vector<char> curved(const Operands& operands, const std::vector<int>& segme
 }
 
 /// Whether the curves end where their segments do, and all seeds of holes, which stand in the middle between chords,
-/// are outside as the curves have it.
+/// are outside as the curves have it, those of regions inside.
 bool is_fit(const Result& result) {
   if (result.domain.curves.empty()) return true;
   for (const Segment& s : result.domain.segments)
@@ -211,13 +258,14 @@ bool is_fit(const Result& result) {
   if (find_outline(result.domain).conflict) return false;
   const Faces faces(result.domain);
   std::vector<char> inside(at(faces.count()), 0);
-  bool is_inside = false;
+  bool is_in = false;
   walk_faces(
       static_cast<int>(result.domain.segments.size()), faces,
-      [&](int s) { is_inside = is_inside != (result.is_border[at(s)] != 0); },
-      [&](int face) { inside[at(face)] = static_cast<char>(is_inside); });
-  return std::none_of(result.domain.holes.begin(), result.domain.holes.end(),
-                      [&](const Point& hole) { return inside[at(faces.at(hole))] != 0; });
+      [&](int s) { is_in = is_in != (result.is_border[at(s)] != 0); },
+      [&](int face) { inside[at(face)] = static_cast<char>(is_in); });
+  const auto is_inside = [&](const Point& p) { return inside[at(faces.at(p))] != 0; };
+  return std::ranges::none_of(result.domain.holes, is_inside) &&
+         std::ranges::all_of(result.domain.regions, is_inside, &RegionSeed::point);
 }
 
 }  // namespace
@@ -225,7 +273,7 @@ bool is_fit(const Result& result) {
 Domain combine(SetOperation operation, std::span<const Domain> domains) {
   Operands operands = gather(domains);
   while (!operands.all.segments.empty()) {
-    DomainRepair subdivision = subdivide(operands.all);
+    DomainRepair subdivision = subdivide_without_seeds(operands.all);
     if (const auto conflict = find_outline(subdivision.domain).conflict) {
       const std::vector<int> segments{subdivision.source_segment(conflict->first),
                                       subdivision.source_segment(conflict->second)};

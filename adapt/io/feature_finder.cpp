@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
+#include "mesher/errors.h"
 #include "mesher/geometry/even_odd.h"
 #include "mesher/geometry/hilbert.h"
 #include "mesher/index.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -70,6 +73,24 @@ int FeatureFinder::region_at(const Point& p) const {
     if ((!smallest || feature < *smallest) && encloses(features_[at(feature.number)], p)) smallest = feature;
   });
   return smallest ? smallest->number + 1 : 0;
+}
+
+void FeatureFinder::refuse_stray_holes_at(const Point& p) const {
+  const auto may_hold = [&p](const BoxTree::Box& box) { return box.squared_distance(p) == 0.0; };
+  boxes_.for_each_in(may_hold, [&](std::size_t i) {
+    const GeoFeature& feature = features_[at(sized_[i].number)];
+    for (const GeoPolygon& polygon : feature.polygons) {
+      if (polygon.empty() || is_inside(p, polygon.front())) continue;
+      for (std::size_t ring = 1; ring < polygon.size(); ++ring) {
+        if (!is_inside(p, polygon[ring])) continue;
+        const std::string owner = feature.name.empty() ? "" : " of '" + feature.name.substr(0, 60) + "'";
+        throw GeometryError("the hole that begins at " + text(polygon[ring].front()) + ", ring " +
+                            std::to_string(ring) + " of a polygon" + owner +
+                            ", does not lie inside of the polygon's outline, its first ring; an area of its own is a "
+                            "polygon of its own");
+      }
+    }
+  });
 }
 
 }  // namespace parmesan

@@ -17,6 +17,9 @@ class FeatureFinder {
   /// The number of its region, 1, 2, ...; 0 outside of all.
   int region_at(const Point& p) const;
 
+  /// Errors: GeometryError where a polygon has a hole around the point, but not its outline.
+  void refuse_stray_holes_at(const Point& p) const;
+
  private:
   /// A feature, by its number, and how large it is.
   struct SizedFeature {

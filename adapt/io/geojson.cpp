@@ -11,9 +11,11 @@
 #include "mesher/delaunay_mesh.h"
 #include "mesher/disjoint_sets.h"
 #include "mesher/errors.h"
+#include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/domain_of_mesh.h"
 #include "mesher/geometry/repair.h"
+#include "mesher/geometry/rounding.h"
 #include "mesher/index.h"
 #include "mesher/io/text.h"
 #include "mesher/mesh_sides.h"
@@ -76,6 +78,7 @@ Point centroid_of(const Mesh& mesh, int triangle) {
 }
 
 /// Gives each part the region in which its largest triangle lies.
+/// Errors: GeometryError for holes outside of their polygons, but for what rounding leaves there.
 void find_regions(const std::vector<GeoFeature>& features, Mesh& mesh) {
   const std::vector<int> part = parts_of(mesh);
   std::vector<int> largest(part);
@@ -84,8 +87,13 @@ void find_regions(const std::vector<GeoFeature>& features, Mesh& mesh) {
     if (area_of(mesh, t) > area_of(mesh, champion)) champion = t;
   }
   const FeatureFinder finder(features);
+  const double thinnest = rounding_of(mesh.points) * bounding_diagonal(mesh.points);
   for (int t = 0; t < mesh.num_triangles(); ++t) {
-    if (part[at(t)] == t) mesh.regions[at(t)] = finder.region_at(centroid_of(mesh, largest[at(t)]));
+    if (part[at(t)] == t) {
+      const Point inside = centroid_of(mesh, largest[at(t)]);
+      if (area_of(mesh, largest[at(t)]) > thinnest) finder.refuse_stray_holes_at(inside);
+      mesh.regions[at(t)] = finder.region_at(inside);
+    }
     mesh.regions[at(t)] = mesh.regions[at(part[at(t)])];
   }
 }

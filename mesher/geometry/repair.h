@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,14 @@ namespace parmesan {
 struct SegmentSource {
   int number = 0;
   std::vector<int> repeated = {};  // the numbers of those that were dropped because they lie on it
+
+  /// Ascending.
+  std::vector<int> all() const {
+    std::vector<int> numbers(repeated);
+    numbers.push_back(number);
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  }
 };
 
 /// What messages call a point or a segment of the domain that the user gave.
@@ -101,6 +110,10 @@ DomainRepair merge_equal_curves(DomainRepair repair);
 /// little, which may make them cross others. No rounding is known that ends for sure, so rounds are counted. Curves
 /// are split where they cross other segments, but neither themselves nor what they touch between points.
 DomainRepair split_at_crossings(DomainRepair repair);
+
+/// The planar subdivision that these stages make of a domain without seeds.
+/// Errors: as of the stages.
+DomainRepair subdivide(const Domain& domain);
 
 /// Refuses what crosses before the stages that take long among many crossings; a crossing in a point of the domain is
 /// none, once both segments are split there. Returns whether certainly no straight segments cross.

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "mesher/geometry/outline.h"
 #include "mesher/triangulation/constraints.h"
 #include "mesher/triangulation/delaunay.h"
 #include "mesher/triangulation/flood.h"
@@ -10,12 +9,13 @@
 
 namespace parmesan {
 
-Faces::Faces(const Domain& domain) {
-  const Outline outline = outline_of(domain);
+Faces::Faces(const Domain& domain) : Faces(outline_of(domain), domain.segments.size()) {}
+
+Faces::Faces(const Outline& outline, std::size_t num_segments) {
   triangulation_ = std::move(delaunay(outline.domain.points).triangulation);
   insert_constraints(triangulation_, outline.domain.segments);
   number_faces();
-  find_sides(outline.domain.segments, outline.segments, domain.segments.size());
+  find_sides(outline.domain.segments, outline.segments, num_segments);
 }
 
 void Faces::number_faces() {

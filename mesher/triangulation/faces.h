@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/geometry/outline.h"
 #include "mesher/triangulation/triangulation.h"
 
 namespace parmesan {
@@ -19,6 +21,9 @@ class Faces {
  public:
   /// Errors: GeometryError when all points are collinear. Cost: O(n log n) expected.
   explicit Faces(const Domain& domain);
+
+  /// The same of a domain with so many segments that has this outline.
+  Faces(const Outline& outline, std::size_t num_segments);
 
   int count() const { return count_; }
 

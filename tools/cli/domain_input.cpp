@@ -29,7 +29,8 @@ namespace {
 /// Also the geometry of a case file.
 GeometryInput read_input(const std::string& path, const RepairOptions& options) {
   if (file_suffix(path) == ".json")
-    if (std::optional<GeometryInput> input = read_case_geometry(path)) return std::move(*input);
+    if (std::optional<GeometryInput> input = read_case_geometry(path, options.merge_tolerance))
+      return std::move(*input);
   return read_geometry_input(path, options.split_crossings ? Crossings::Split : Crossings::Refuse,
                              options.merge_tolerance);
 }

@@ -183,6 +183,22 @@ TEST_CASE("Rings that share sides enclose what an odd number of them does", "[ad
   CHECK_THROWS_AS(parse(polygon(square + "," + square)), parmesan::GeometryError);
 }
 
+TEST_CASE("Holes outside of their polygon's first ring are refused", "[adapt][io][geojson][errors]") {
+  const std::string around = "[[-1,-1],[5,-1],[5,5],[-1,5],[-1,-1]]";
+  const std::string beside = "[[6,0],[7,0],[7,1],[6,1],[6,0]]";
+  const std::string half = "[[3,1],[4,0],[6,2],[4,4],[3,1]]";  // touches two corners
+  const std::string far = feature("far", polygon("[[8,8],[9,8],[9,9],[8,9],[8,8]]"));
+  for (const std::string& hole : {around, beside, half}) {
+    const std::string rings = polygon(square + "," + hole);
+    CHECK_THROWS_WITH(parse(rings), Catch::Contains("ring 1 of a polygon, does not lie inside"));
+    CHECK_THROWS_WITH(parse(collection(feature("a", rings) + "," + far)),
+                      Catch::Contains("ring 1 of a polygon of 'a', does not lie inside"));
+  }
+  const std::string lake = "[[1,1],[3,1],[3,3],[1,3],[1,1]]";
+  const std::string island = "[[1.5,1.5],[2.5,1.5],[2.5,2.5],[1.5,2.5],[1.5,1.5]]";
+  CHECK(area_of(polygon(square + "," + lake + "," + island)) == Approx(13.0).epsilon(1e-14));
+}
+
 TEST_CASE("The only feature gives the region its name, and sides theirs", "[adapt][io][geojson]") {
   const Domain domain = parse(collection(feature("lake", polygon(square))));
   CHECK(domain.region_names == parmesan::LabelNames{{0, "lake"}});
