@@ -148,6 +148,28 @@ TEST_CASE("where given values end the error is estimated, and corrected values h
   CHECK(c.corrected < 1.15);
 }
 
+TEST_CASE("at a right angle that a tensor makes wide the error is estimated, and corrected values are better",
+          "[fem][singular][estimate]") {
+  // With x -> ((x + s y) / c, y), c = cos 60, s = -sin 60, it is Laplace's equation, and the sides are 150 degrees
+  // apart.
+  const double c = 0.5, s = -std::sqrt(3.0) / 2;
+  const Diffusion k{1, std::sqrt(3.0) / 2, 1};
+  const auto mapped = [=](const Point& p) { return Point{(p.x + s * p.y) / c, p.y}; };
+  const ExactFunction wide = singular(90.0 / 150.0);
+  const ExactFunction exact{[=](const Point& p) { return wide.value(mapped(p)); },
+                            [=](const Point& p) {
+                              const Vector g = wide.gradient(mapped(p));
+                              return Vector{g.x / c, g.x * s / c + g.y};
+                            }};
+  Problem problem = with_dirichlet(exact);
+  problem.diffusion = [k](const Point&, int) { return k; };
+  problem.boundary[Left] = neumann({});
+  const Comparison compared_to = compared(rectangle_mesh(32, 32), problem, exact);
+  CHECK(compared_to.galerkin > 2.5);
+  CHECK(compared_to.estimate == Approx(1.0).margin(0.15));
+  CHECK(compared_to.corrected < 1.3);
+}
+
 TEST_CASE("where given values jump the error is estimated, and corrected values have that of the interpolant",
           "[fem][singular][estimate]") {
   Problem problem = with_dirichlet(fan());
