@@ -104,6 +104,15 @@ void refuse_infinite_errors(CaseReading& reading, const Case& result) {
   if (result.targets.linf_error) reading.issues.add("/targets/linf_error", why);
 }
 
+void keep_places_at_curves(Case& result) {
+  for (CaseFunctional& functional : result.functionals) {
+    if (functional.kind == CaseFunctional::Kind::Value)
+      functional.point = keep_place_at_curves(result.domain, functional.point);
+  }
+  for (PointSource& source : result.problem.point_sources)
+    source.place = keep_place_at_curves(result.domain, source.place);
+}
+
 // Whether the domain can be meshed is not looked at.
 Case parse_unclean(const std::string& text, const std::string& file, const std::vector<Override>& overrides,
                    double merge_tolerance = 0.0) {

@@ -76,7 +76,7 @@ std::optional<GeometryInput> read_named_geometry(CaseReading& reading, const std
                                                  const std::string& pointer) {
   const std::optional<std::string> path = named_file(reading, name, pointer);
   if (!path) return std::nullopt;
-  const double merge_tolerance = merge_tolerance_of(reading, pointer);
+  const double merge_tolerance = merge_tolerance_of(reading, "/geometry");
   return read_geometry_input(*path, Crossings::Refuse, merge_tolerance);
 }
 

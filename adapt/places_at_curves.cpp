@@ -21,25 +21,18 @@ std::optional<Point> place_at_curve(const Domain& domain, const Curve& curve, co
   return is_p(foot) ? foot : p;
 }
 
-void keep(Domain& domain, Point& place) {
+}  // namespace
+
+Point keep_place_at_curves(Domain& domain, const Point& place) {
   std::optional<Point> kept;
   for (const Curve& curve : domain.curves) {
     const std::optional<Point> candidate = place_at_curve(domain, curve, place);
     // What is on one curve counts for more than what is near another.
     if (candidate && (!kept || *candidate != place)) kept = candidate;
   }
-  if (!kept) return;
-  place = *kept;
-  if (std::ranges::find(domain.points, place) == domain.points.end()) domain.points.push_back(place);
-}
-
-}  // namespace
-
-void keep_places_at_curves(Case& input) {
-  for (CaseFunctional& functional : input.functionals) {
-    if (functional.kind == CaseFunctional::Kind::Value) keep(input.domain, functional.point);
-  }
-  for (PointSource& source : input.problem.point_sources) keep(input.domain, source.place);
+  if (!kept) return place;
+  if (std::ranges::find(domain.points, *kept) == domain.points.end()) domain.points.push_back(*kept);
+  return *kept;
 }
 
 }  // namespace parmesan
