@@ -8,6 +8,7 @@
 #include "mesher/errors.h"
 #include "mesher/geometry/isolated_points.h"
 #include "mesher/geometry/outline.h"
+#include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 #include "mesher/operands.h"
 
@@ -24,6 +25,39 @@ std::optional<Outline> outline_around_seeds(const Domain& subdivision, const Dom
   if (around.conflict) around = find_outline(subdivision);
   if (around.conflict) return std::nullopt;
   return std::move(around.outline);
+}
+
+struct Subdivision {
+  DomainRepair graph;
+  Outline outline;
+};
+
+/// Of a domain with curves that nothing crosses: to see that takes much less time than to look for the crossings.
+std::optional<Subdivision> uncrossed(const Domain& bare, const Domain& seeds) {
+  if (!has_curves(bare)) return std::nullopt;
+  DomainRepair graph = split_curves(merge_points(bare));
+  require_extent(graph);
+  graph = split_at_inner_vertices(drop_repeated_segments(std::move(graph)));
+  try {
+    refuse_straight_crossings(graph);
+  } catch (const GeometryError&) {
+    return std::nullopt;
+  }
+  std::optional<Outline> outline = outline_around_seeds(graph.domain, seeds);
+  if (!outline) return std::nullopt;
+  return Subdivision{std::move(graph), std::move(*outline)};
+}
+
+/// Nothing where curves touch.
+std::optional<Subdivision> subdivision_of(const Domain& domain) {
+  Domain bare = domain;
+  bare.holes.clear();
+  bare.regions.clear();
+  if (std::optional<Subdivision> found = uncrossed(bare, domain)) return found;
+  DomainRepair graph = subdivide(bare);
+  std::optional<Outline> outline = outline_around_seeds(graph.domain, domain);
+  if (!outline) return std::nullopt;
+  return Subdivision{std::move(graph), std::move(*outline)};
 }
 
 /// Errors: GeometryError for seeds of what a merge tolerance closes, which would be found in what is beside it.
@@ -125,16 +159,14 @@ DomainBase base_of(const Domain& domain) {
 }
 
 std::optional<BaseFaces> BaseFaces::find(const Domain& domain, const DomainBase& base) {
-  Domain bare = domain;
-  bare.holes.clear();
-  bare.regions.clear();
   try {
+    check_input(domain);
     refuse_closed_parts(domain, base);
-    DomainRepair subdivision = subdivide(std::move(bare));
-    const std::optional<Outline> outline = outline_around_seeds(subdivision.domain, domain);
-    if (!outline) return std::nullopt;
-    subdivision.domain.holes = domain.holes;
-    return BaseFaces(Faces(*outline, subdivision.domain.segments.size()), subdivision, base);
+    std::optional<Subdivision> found = subdivision_of(domain);
+    if (!found) return std::nullopt;
+    DomainRepair& graph = found->graph;
+    graph.domain.holes = domain.holes;
+    return BaseFaces(Faces(found->outline, graph.domain.segments.size()), graph, base);
   } catch (const InputError&) {
     return std::nullopt;  // clean() says it in the order of its checks
   }

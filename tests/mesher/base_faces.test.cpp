@@ -1,5 +1,6 @@
 #include "mesher/base_faces.h"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <map>
