@@ -18,7 +18,8 @@ double share_to_goal(std::span<const SizeStep> history, const SizeGoal& goal) {
   const SizeStep& now = history.back();
   if (goal.error_targets) return now.error <= 1.0 ? 1.0 : share_between(first.error, now.error, 1.0);
   const std::optional<double> size = goal.vertices ? goal.vertices : goal.cap;
-  return size ? share_between(first.vertices, now.vertices, *size) : 0.0;
+  if (!size) return 0.0;
+  return has_size(now.vertices, *size) ? 1.0 : share_between(first.vertices, now.vertices, *size);
 }
 
 }  // namespace

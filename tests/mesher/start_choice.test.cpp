@@ -80,7 +80,7 @@ TEST_CASE("a mesh is the start for its own metric and not for one that is turned
 
 TEST_CASE("a sample of a large mesh decides as all of it would", "[mesher][start]") {
   const Mesh grid = support::rectangle_mesh(64, 64);  // 8192 triangles
-  CHECK(choose_start(grid, ConstantField(Metric::isotropic(1.0 / 64))).start == Start::PreviousMesh);
+  CHECK(choose_start(grid, unit_metric_of_grid(64, 1.0, 0.0)).start == Start::PreviousMesh);
   // Half of the square wants lengths of 1/e: mean |ln l| is well over 0.4.
   const CallableField half([](const Point& p) { return Metric::isotropic((p.y < 0.5 ? 1.0 : std::exp(1.0)) / 64); });
   CHECK(choose_start(grid, half).start == Start::Scratch);

@@ -46,6 +46,7 @@ TEST_CASE("TensorInterpolant does not answer across a narrow gap", "[mesher][met
   for (const Point& p : left.points) both.points.push_back({p.x + 1.0 + gap, p.y});
   const int n = left.num_vertices();
   for (const auto& [a, b, c] : left.triangles) both.triangles.push_back({a + n, b + n, c + n});
+  both.regions.resize(both.triangles.size(), 0);
   std::vector<SymmetricTensor> tensors(at(n), {1.0, 0.0, 1.0});
   tensors.resize(at(2 * n), {2.0, 0.0, 2.0});
   const TensorInterpolant field(both, tensors);
