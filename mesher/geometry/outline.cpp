@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -97,7 +96,6 @@ void ChordSearch::find_equal(const ChordPolygon& polygon) {
 void ChordSearch::find_enclosed(const ChordPolygon& polygon) {
   constexpr int none = -1;
   constexpr int seed = -2;
-  constexpr double farthest = 0.14;  // that an arc which turns by 30 degrees is from its chord: tan(15 degrees) / 2
   struct Site {
     Point place;
     int chord;  // one that ends here
@@ -121,17 +119,12 @@ void ChordSearch::find_enclosed(const ChordPolygon& polygon) {
     if (is_straight(c)) continue;
     const Point& a = domain.points[at(domain.segments[at(s)].a)];
     const Point& b = domain.points[at(domain.segments[at(s)].b)];
-    const double square = squared_norm(b - a);
-    const double reach = farthest * std::sqrt(square);
-    const auto may_be_between = [&](const Point& p) {
-      const double along = dot(b - a, p - a);
-      return along >= 0.0 && along <= square && std::abs(cross(b - a, p - a)) <= farthest * square;
-    };
+    const double reach = norm(b - a);
     const auto begin = std::lower_bound(sites.begin(), sites.end(), std::min(a.x, b.x) - reach,
                                         [](const Site& site, double x) { return site.place.x < x; });
     for (auto site = begin; site != sites.end() && site->place.x <= std::max(a.x, b.x) + reach; ++site) {
       const Point& p = site->place;
-      if (p == a || p == b || !may_be_between(p) || !is_between(chords_[c], a, b, p)) continue;
+      if (p == a || p == b || norm(p - a) > 2.0 * reach || !is_between(chords_[c], a, b, p)) continue;
       must_halve(c, site->chord < 0 ? c : site->chord, p);
     }
   }
