@@ -120,7 +120,8 @@ TEST_CASE("indicators are of vertices where they are said to be, however many th
     const int a = 2 * i, b = 2 * ((i + 1) % cells);
     ring.triangles.insert(ring.triangles.end(), {{a, a + 1, b + 1}, {a, b + 1, b}});
   }
-  std::rotate(ring.triangles.begin(), ring.triangles.begin() + cells, ring.triangles.end());  // numbers say nothing of places
+  std::rotate(ring.triangles.begin(), ring.triangles.begin() + cells,
+              ring.triangles.end());  // numbers say nothing of places
   ring.regions.assign(ring.triangles.size(), 0);
   REQUIRE(ring.points.size() == ring.triangles.size());
   std::vector<double> eta;
