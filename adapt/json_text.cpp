@@ -139,11 +139,13 @@ std::vector<DuplicateKey> find_duplicate_keys(std::string_view text, std::size_t
   for (JsonToken token = tokens.next(); token.kind != '\0'; before = token, token = tokens.next()) {
     if (token.kind == '{' || token.kind == '[') {
       open.push_back({.object = token.kind == '{', .keys = {}, .key = {}, .number = 0});
+    } else if (open.empty()) {
+      continue;  // the library reads no farther than a NUL, behind which there may be anything
     } else if (token.kind == '}' || token.kind == ']') {
       open.pop_back();
     } else if (token.kind == ',') {
       ++open.back().number;
-    } else if (token.kind == 's' && !open.empty() && open.back().object && before.kind != ':') {
+    } else if (token.kind == 's' && open.back().object && before.kind != ':') {
       open.back().key = tokens.content(token);
       if (open.back().keys.insert(open.back().key).second) continue;
       duplicates.push_back({pointer_to(open), token.begin});

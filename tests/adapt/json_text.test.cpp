@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace parmesan {
 namespace {
@@ -97,6 +98,12 @@ TEST_CASE("pointer_steps undoes pointer_step and refuses what is no JSON pointer
   CHECK_FALSE(pointer_steps("a/b"));
   CHECK_FALSE(pointer_steps("/a~2"));
   CHECK_FALSE(pointer_steps("/a~"));
+}
+
+TEST_CASE("what stands behind a NUL, where JSON ends for its reader, has no keys", "[adapt][json]") {
+  using namespace std::string_view_literals;
+  CHECK(find_duplicate_keys("1 \0.,"sv, 1).empty());
+  CHECK(find_duplicate_keys("{} ]},\0"sv, 1).empty());
 }
 
 }  // namespace parmesan
