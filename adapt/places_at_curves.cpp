@@ -7,7 +7,7 @@ namespace parmesan {
 namespace {
 
 // Both are shares of a curve's extent.
-constexpr double chord_height = 0.07;  // more than that of a chord which turns by 30 degrees
+constexpr double chord_height = 0.07;  // more than a circle's arc of 30 degrees is from its chord
 constexpr double rounding = 1e-6;      // of places given with six digits
 
 /// Is it as near to the curve as a chord can be? Then the place that it stands for.
