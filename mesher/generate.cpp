@@ -15,6 +15,7 @@
 #include "mesher/outside_parts.h"
 #include "mesher/particles/curve_chords.h"
 #include "mesher/particles/fast_schedule.h"
+#include "mesher/particles/overlooked.h"
 #include "mesher/particles/previous_mesh.h"
 #include "mesher/relaxed_mesh.h"
 #include "mesher/scratch_mesh.h"
@@ -45,6 +46,13 @@ Relaxed mesh_from_previous(const Domain& domain, const MetricField& field, Mesh 
   if (relaxation.observer) relaxation.observer(particles, 0);
   run_fast_schedule(particles, relaxation.effort);
   return taken_lower_in_error(particles, relaxation.hessian);
+}
+
+// With sites where the field holds a few vertices more than those of the mesh tell of: samples may lie as near to one
+// another as its vertices do.
+Mesh overlooking_nothing(Mesh mesh, const Domain& domain, const MetricField& field) {
+  constexpr double of_four_vertices = 0.25;
+  return OverlookedParts(field, domain).with_sites(std::move(mesh), of_four_vertices);
 }
 
 // From the sites of the domain, or from the previous mesh as it is.
@@ -89,7 +97,9 @@ std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metri
 }
 
 /// What the user gets of the mesh, cracks opened and with the domain's labels.
-GenerateResult finished(Relaxed relaxed, const Domain& domain, GenerateReport report) {
+/// Errors: LimitError for more than max_vertices: points of the domain and those on segments come whatever the limit.
+GenerateResult finished(Relaxed relaxed, const Domain& domain, GenerateReport report, std::int64_t max_vertices) {
+  require_few_vertices(relaxed.mesh.num_vertices(), max_vertices);
   GenerateResult result{.mesh = {}, .metrics = {}, .relaxed = {}, .report = std::move(report)};
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);
   if (std::optional<std::string> chords = distant_chords(relaxed.mesh, domain))
@@ -137,10 +147,12 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   } else {
     require_few_vertices(start.choice.expected_vertices, options.max_vertices);
     Mesh mesh = refined(*std::move(start.fit), domain, start.choice.refinements);
-    relaxed = by_thesis ? mesh_by_thesis(domain, field, mesh, options, report)
-                        : mesh_from_previous(domain, field, in_local_order(std::move(mesh)), relaxation);
+    relaxed = by_thesis
+                  ? mesh_by_thesis(domain, field, mesh, options, report)
+                  : mesh_from_previous(domain, field,
+                                       in_local_order(overlooking_nothing(std::move(mesh), domain, field)), relaxation);
   }
-  return finished(std::move(relaxed), domain, std::move(report));
+  return finished(std::move(relaxed), domain, std::move(report), options.max_vertices);
 }
 
 }  // namespace parmesan

@@ -7,7 +7,6 @@
 #include "mesher/metric/complexity.h"
 #include "mesher/particles/fast_schedule.h"
 #include "mesher/triangulation/conversion.h"
-#include "mesher/user_labels.h"
 #include "mesher/vertex_limit.h"
 
 namespace parmesan {
@@ -48,7 +47,7 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Scr
   Relaxed relaxed{.mesh = start.mesh, .metrics = {}, .before_descent = {}};
   for (int level = levels; level >= 0; --level) {
     const double scale = scale_of(level);
-    if (level == 1 && level < levels) relaxed.mesh = start.overlooked.with_sites(relaxed.mesh, scale);
+    if (level == 1 && level < levels) relaxed.mesh = start.overlooked.with_sites(std::move(relaxed.mesh), scale);
     ParticleSystem particles(from_mesh(relaxed.mesh, relaxed.mesh.labels), domain, field, {scale, level == levels});
     relaxed = {};  // for its memory
     if (level == levels) {
@@ -68,12 +67,11 @@ Relaxed mesh_in_levels(const Domain& domain, const MetricField& field, const Scr
 
 ScratchStart scratch_start(const Domain& domain, Mesh mesh, const MetricField& field, std::int64_t max_vertices) {
   constexpr double much_more = 1.1;
-  mesh.required = required_parts(mesh, domain);
   OverlookedParts overlooked(field, domain);
   const double seen = integrate_complexity(mesh, field), held = overlooked.complexity_within(mesh);
   const double expected = expected_vertices(std::max(seen, held));
   require_few_vertices(expected, max_vertices);
-  if (held > much_more * seen) mesh = overlooked.with_sites(mesh, scale_of(coarser_levels(expected)));
+  if (held > much_more * seen) mesh = overlooked.with_sites(std::move(mesh), scale_of(coarser_levels(expected)));
   return {std::move(mesh), overlooked, held, expected};
 }
 
@@ -85,8 +83,11 @@ Relaxed mesh_from_scratch(const Domain& domain, const MetricField& field, Scratc
   const double by_vertices = relaxed.mesh.num_vertices() / expected_vertices(1.0);
   if (std::min(by_metric, by_vertices) >= most * start.held) return relaxed;
   const std::size_t num_sites = start.mesh.points.size();
-  start.mesh = start.overlooked.with_sites(start.mesh, scale_of(coarser_levels(start.expected_vertices)), 0.0);
-  return start.mesh.points.size() == num_sites ? relaxed : mesh_in_levels(domain, field, start, relaxation);
+  start.mesh =
+      start.overlooked.with_sites(std::move(start.mesh), scale_of(coarser_levels(start.expected_vertices)), 0.0);
+  if (start.mesh.points.size() == num_sites) return relaxed;
+  relaxed = {};  // for its memory
+  return mesh_in_levels(domain, field, start, relaxation);
 }
 
 }  // namespace parmesan

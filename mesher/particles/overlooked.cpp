@@ -158,9 +158,9 @@ double OverlookedParts::complexity_within(const Mesh& mesh) const {
   return sum;
 }
 
-Mesh OverlookedParts::with_sites(const Mesh& mesh, double scale, double times_seen) const {
+Mesh OverlookedParts::with_sites(Mesh mesh, double scale, double times_seen) const {
   const std::vector<FieldSample> samples = field_.samples();
-  if (samples.empty()) return mesh;
+  if (samples.empty() || std::ranges::equal(samples, mesh.points, {}, &FieldSample::place)) return mesh;
   const std::vector<std::optional<MeshPlace>> places = places_in(mesh, samples);
   std::vector<double> held(mesh.triangles.size(), 0.0);
   for (std::size_t i = 0; i < samples.size(); ++i)

@@ -5,8 +5,8 @@
 
 namespace parmesan {
 
-/// Parts of a field that a mesh made from scratch would not see: thin layers and small spots between the vertices of
-/// a coarse mesh, whose metrics are looked up there only.
+/// Parts of a field that a mesh would not see: thin layers and small spots between its vertices, where alone metrics
+/// are looked up.
 class OverlookedParts {
  public:
   /// Both must live as long. Fields without samples have nothing to overlook.
@@ -17,9 +17,10 @@ class OverlookedParts {
 
   /// The mesh with some of the samples as sites: in triangles that hold more than so many times the complexity that
   /// their corners and middle tell of, as many as a unit mesh would have there; on straight edges of the domain, those
-  /// where the metric along the edge is far finer than at the sites around. scale: of the metric's tensors on this
+  /// where the metric along the edge is far finer than at the sites around. A mesh whose vertices are the samples
+  /// overlooks nothing. scale: of the metric's tensors on this
   /// level, as in ParticleSystem::Level. labels: segments of the domain. Cost: O(n) for n samples.
-  Mesh with_sites(const Mesh& mesh, double scale, double times_seen = 2.0) const;
+  Mesh with_sites(Mesh mesh, double scale, double times_seen = 2.0) const;
 
  private:
   const MetricField& field_;

@@ -16,6 +16,7 @@
 #include "mesher/particles/sampled_sum.h"
 #include "mesher/particles/selection.h"
 #include "mesher/particles/thesis_rules.h"
+#include "mesher/particles/triangle_share.h"
 #include "mesher/triangulation/delaunay.h"
 
 namespace parmesan {
@@ -27,10 +28,16 @@ double squared_edge_length(const ParticleSystem& particles, EdgeId e) {
                                 particles.metric(mesh.dest(e)));
 }
 
+// The mean share of the two triangles of a free edge.
+double mean_share(const ParticleSystem& particles, EdgeId e) {
+  return 0.5 * (share_left(particles, e) + share_left(particles, sym(e)));
+}
+
 // Of the triangles on both sides of a free edge.
 bool have_too_much_area(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
-  const double area = left_area(particles, e) + left_area(particles, sym(e));
-  return gain_of_creation(area / (1.0 + rules.area_slack), rules.virtual_triangles) > 0.0;
+  const double area = (left_area(particles, e) + left_area(particles, sym(e))) / (1.0 + rules.area_slack);
+  const auto is_too_much = [&](double of_area) { return gain_of_creation(of_area, rules.virtual_triangles) > 0.0; };
+  return is_too_much(area) || is_too_much(area / mean_share(particles, e));
 }
 
 bool is_too_long(const ParticleSystem& particles, EdgeId e, const PopulationRules& rules) {
@@ -90,7 +97,9 @@ VertexId create_particle(ParticleSystem& particles, EdgeId e, CreationPlace plac
     if (v != no_vertex) return v;
   }
   const Point p = midpoint(mesh.point(mesh.org(e)), mesh.point(mesh.dest(e)));
-  return quality_of_halves(particles, e, p) < min_quality ? no_vertex : particles.create_on_edge(e, p);
+  const double quality = quality_of_halves(particles, e, p);
+  return quality >= min_quality || quality >= min_quality * mean_share(particles, e) ? particles.create_on_edge(e, p)
+                                                                                     : no_vertex;
 }
 
 }  // namespace
@@ -117,12 +126,24 @@ int create_particles(ParticleSystem& particles, const PopulationRules& rules, st
 
 namespace {
 
+// The triangles of the star by their shares.
+double num_triangles(const ParticleSystem& particles, const Star& star) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < star.size(); ++i) sum += share_left(particles, star.spoke(i).edge);
+  return sum;
+}
+
+bool has_too_little_area(const ParticleSystem& particles, const Star& star, VertexId v, const PopulationRules& rules) {
+  const double area = star.metric_area(particles.mesh().point(v), particles.metric(v)) / (1.0 - rules.area_slack);
+  return is_superfluous_inside(area, static_cast<double>(star.size())) &&
+         is_superfluous_inside(area, num_triangles(particles, star));
+}
+
 bool is_superfluous(const ParticleSystem& particles, const Star& star, VertexId v, const PopulationRules& rules) {
   const double short_edge = rules.short_edge;
   const Point& p = particles.mesh().point(v);
   const Metric& m = particles.metric(v);
-  const auto n = static_cast<double>(star.size());
-  if (is_superfluous_inside(star.metric_area(p, m) / (1.0 - rules.area_slack), n)) return true;
+  if (has_too_little_area(particles, star, v, rules)) return true;
   for (std::size_t i = 0; i < star.size(); ++i)
     if (squared_length_in_mean(star.spoke(i).point - p, m, star.spoke(i).metric) < short_edge * short_edge) return true;
   return false;
@@ -162,8 +183,8 @@ bool is_limited(const PopulationRules& rules) { return rules.most < std::numeric
 
 // Of a star over that of the rule, but for a factor.
 double relative_area(const ParticleSystem& particles, const Star& star, VertexId v) {
-  const auto n = static_cast<double>(star.size());
-  return star.metric_area(particles.mesh().point(v), particles.metric(v)) / std::sqrt(n * (n - 2.0));
+  const double n = num_triangles(particles, star);
+  return star.metric_area(particles.mesh().point(v), particles.metric(v)) / std::sqrt(n * std::max(0.0, n - 2.0));
 }
 
 struct Superfluous {

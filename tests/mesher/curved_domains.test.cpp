@@ -297,7 +297,7 @@ TEST_CASE("a mesh that is thicker than the domain because of its chords is warne
   for (const double angle : {from, to}) domain.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   domain.curves.push_back(circular_arc({0.0, 0.0}, radius, from, to));
   domain.segments.push_back({first, first + 1, 2, {}, false, static_cast<int>(domain.curves.size()) - 1});
-  const GenerateResult made = generate(domain, ConstantField(Metric::isotropic(1.0)));
+  const GenerateResult made = generate(domain, ConstantField(Metric::isotropic(2.0)));
   CHECK(std::ranges::any_of(made.report.warnings,
                             [](const std::string& w) { return w.find("not as thin") != std::string::npos; }));
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "mesher/errors.h"
 #include "mesher/metric/background_mesh.h"
@@ -9,6 +10,7 @@
 #include "tests/oracle/domain_cover.h"
 #include "tests/oracle/interpolation_error.h"
 #include "tests/oracle/mesh_checker.h"
+#include "tests/support/curved_domains.h"
 #include "tests/support/domains.h"
 
 using namespace parmesan;
@@ -239,6 +241,8 @@ TEST_CASE("the limit of vertices holds on segments, where the integral of the me
   CHECK_THROWS_AS(generate(strip, ConstantField(Metric::isotropic(1e-4)), {.max_vertices = 1000}), LimitError);
   const CallableField at_side([](const Point& p) { return Metric::isotropic(std::max(1e-12, 0.5 * p.y)); });
   CHECK_THROWS_AS(generate(support::unit_square(), at_side), LimitError);
+  const Domain disc = support::disc(1.0);  // its chords stand for arcs of 30 degrees at most
+  CHECK_THROWS_AS(generate(disc, ConstantField(Metric::isotropic(5.0)), {.max_vertices = 10}), LimitError);
 }
 
 TEST_CASE("a strip a hundred times as long in its cells as it is wide has two chains of edges, and the best triangles",
@@ -269,4 +273,32 @@ TEST_CASE("channels one or two thirds of an edge wide have no fans of thin trian
     // Of two sides of 1 and one across of 1/2 the mean ratio is 0.693.
     CHECK(measure_quality(made.mesh, made.metrics).quality_min > 0.65);
   }
+}
+
+TEST_CASE("sides in more detail than the metric asks for leave as many vertices inside", "[mesher][generate]") {
+  struct Case {
+    double radius;  // in unit edges
+    int times;      // as many points as unit edges
+  };
+  const auto [radius, times] = GENERATE(Case{1.5, 2}, Case{1.5, 10}, Case{4.0, 3}, Case{4.0, 12}, Case{4.0, 100});
+  const auto mesh_of = [radius = radius](int num_sides) {
+    std::vector<Point> corners;
+    for (int i = 0; i < num_sides; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / num_sides;
+      corners.push_back(radius * Point{std::cos(angle), 0.6 * std::sin(angle)});
+    }
+    Domain domain;
+    support::add_polygon(domain, corners, 1);
+    return generate(domain, ConstantField(Metric::isotropic(1.0))).mesh;
+  };
+  const int num_unit = static_cast<int>(2.0 * std::numbers::pi * 0.8 * radius);
+  const Mesh mesh = mesh_of(times * num_unit);
+  CHECK(oracle::problems_of(mesh) == std::vector<std::string>{});
+  const int inside = mesh.num_vertices() - times * num_unit;
+  const int expected = mesh_of(num_unit).num_vertices() - num_unit;
+  CHECK(expected > 0);
+  CHECK(inside >= expected - 1);
+  CHECK(inside <= 1.3 * expected + 2);
+  const std::vector<Metric> metrics(mesh.points.size(), Metric::isotropic(1.0));
+  CHECK(measure_quality(mesh, metrics).length_max < 1.7);
 }

@@ -90,6 +90,24 @@ TEST_CASE("a spot that corners and middles half see is meshed all the same", "[m
   CHECK(made.mesh.num_vertices() > 0.6 * expected_vertices(asked));
 }
 
+TEST_CASE("a spot between the vertices of a previous mesh is found", "[mesher][overlooked]") {
+  const Point center{0.4371, 0.5123};
+  std::vector<Point> points;
+  for (double r = 2.5e-4; r < 0.0041; r += 2.5e-4)
+    for (int k = 0; k < 24; ++k) points.push_back(center + r * Vector{std::cos(k / 3.82 + r), std::sin(k / 3.82 + r)});
+  const BackgroundMesh field = background(std::move(points), [&center](const Point& p) {
+    return Metric::isotropic(norm(p - center) > 0.0032 ? coarse : 2e-4);
+  });
+  const Mesh uniform = generate(support::unit_square(), ConstantField(Metric::isotropic(coarse))).mesh;
+  const GenerateResult made = generate(support::unit_square(), field, {}, uniform);
+  CHECK(made.report.start == Start::PreviousMesh);
+  CHECK(oracle::problems_of(made.mesh) == std::vector<std::string>{});
+  const int from_scratch = generate(support::unit_square(), field).mesh.num_vertices();
+  CHECK(from_scratch > 5 * uniform.num_vertices());
+  CHECK(made.mesh.num_vertices() == Approx(from_scratch).epsilon(0.05));
+  CHECK(measure_quality(made.mesh, made.metrics).unit_edges > 0.9);  // sizes jump within triangles
+}
+
 TEST_CASE("a layer between the vertices of a coarse mesh is found, on the boundary too", "[mesher][overlooked]") {
   double length = 0.0;  // of the lower side
   for (double x = 0.0; x < 1.0; x += 1e-6) length += 1e-6 / across(x);
