@@ -43,8 +43,9 @@ void add_inner_segment(CaseReading& reading, const Json& segment, const std::str
   if (segment.contains("label_right")) right = segment["label_right"].get<std::string>();
   const bool is_required = segment.value("required", false);
   if (!segment.contains("from")) {
+    if (is_required) reading.issues.add(pointer + "/required", "is for straight segments: no edge runs along a curve");
     const std::optional<Curve> curve = read_curve(reading, segment, pointer);
-    if (curve) builder.add_curve(*curve, label, right, is_required);
+    if (curve) builder.add_curve(*curve, label, right);
   } else if (segment.contains("to")) {
     builder.add_segment(read_point(segment["from"]), read_point(segment["to"]), label, right, is_required);
   } else {

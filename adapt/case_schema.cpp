@@ -205,7 +205,7 @@ constexpr const char* kSchema = R"schema({
                    "description": "its name; of a crack, that of its left side" },
         "label_right": { "type": "string", "minLength": 1,
                          "description": "makes it a crack: the name of its side to the right of its direction" },
-        "required": { "type": "boolean", "description": "true: stays one edge of every mesh; default: false" }
+        "required": { "type": "boolean", "description": "true: stays one edge of every mesh; for straight ones; default: false" }
       }
     },
     "shapes": { "title": "a list of at least 2 shapes", "type": "array", "items": { "$ref": "#/$defs/shape" },
@@ -251,7 +251,7 @@ constexpr const char* kSchema = R"schema({
         "regions": { "type": "object", "additionalProperties": { "$ref": "#/$defs/point" },
                      "description": "name -> a point in the region" },
         "merge_tolerance": { "$ref": "#/$defs/constant", "exclusiveMinimum": 0,
-                             "description": "points nearer than this become one, with a warning" },
+                             "description": "points nearer than this become one, and segments bend to points as near, with a warning" },
         "required": { "type": "array", "items": { "type": "string", "minLength": 1 },
                       "description": "regions whose triangles stay as the file, or the first mesh, has them" },
         "points": { "type": "array", "items": { "$ref": "#/$defs/point" },

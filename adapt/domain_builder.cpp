@@ -113,12 +113,11 @@ void DomainBuilder::add_hole(const Path& path) {
   domain_.holes.push_back(interior_point(path));
 }
 
-void DomainBuilder::add_curve(const Curve& along, const std::string& name, const std::optional<std::string>& right,
-                              bool is_required) {
+void DomainBuilder::add_curve(const Curve& along, const std::string& name, const std::optional<std::string>& right) {
   constexpr double rounding = 1e-12;
   const Point begin = along.at(0.0), end = along.at(1.0);
   const bool is_closed = norm(end - begin) <= rounding * along.extent();
-  add_segment(begin, is_closed ? begin : end, name, right, is_required);
+  add_segment(begin, is_closed ? begin : end, name, right);
   domain_.segments.back().curve = curve(along);
 }
 

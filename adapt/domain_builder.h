@@ -54,8 +54,7 @@ class DomainBuilder {
                    const std::optional<std::string>& right = {}, bool is_required = false);
 
   /// The same along a curve inside, between its ends.
-  void add_curve(const Curve& along, const std::string& name, const std::optional<std::string>& right = {},
-                 bool is_required = false);
+  void add_curve(const Curve& along, const std::string& name, const std::optional<std::string>& right = {});
   void add_region(const std::string& name, const Point& seed);
 
   /// Gives a label another name; several labels may come to have the same.

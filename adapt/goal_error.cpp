@@ -1,5 +1,6 @@
 #include "adapt/goal_error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -25,13 +26,16 @@ struct Refinement {
 Refinement refined(const Mesh& coarse) {
   Refinement result{refine_red(coarse), {}};
   const Adjacency neighbours = vertex_neighbours(result.mesh);
+  const Adjacency coarse_neighbours = vertex_neighbours(coarse);  // a diagonal across an edge may have its middle
+  const auto is_edge = [&](int a, int b) { return std::ranges::binary_search(coarse_neighbours.of(a), b); };
   const int num_coarse = coarse.num_vertices();
   for (int m = num_coarse; m < result.mesh.num_vertices(); ++m) {
     const std::span<const int> near = neighbours.of(m);
     std::array<int, 2> ends{-1, -1};
     for (auto a = near.begin(); a != near.end() && *a < num_coarse; ++a) {
       for (auto b = a + 1; b != near.end() && *b < num_coarse; ++b) {
-        if (midpoint(coarse.points[at(*a)], coarse.points[at(*b)]) == result.mesh.points[at(m)]) ends = {*a, *b};
+        const Point middle = midpoint(coarse.points[at(*a)], coarse.points[at(*b)]);
+        if (middle == result.mesh.points[at(m)] && is_edge(*a, *b)) ends = {*a, *b};
       }
     }
     result.ends.push_back(ends);

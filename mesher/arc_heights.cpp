@@ -5,15 +5,16 @@
 
 #include "mesher/geometry/box_tree.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
 
 namespace parmesan {
 namespace {
 
-/// The curves of a domain, and where they lie.
+/// The curves of a domain, and where they lie. The domain is referred to.
 class Curves {
  public:
-  explicit Curves(const Domain& domain) {
+  explicit Curves(const Domain& domain) : domain_(domain), segments_(domain) {
     for (const Segment& segment : domain.segments) {
       if (segment.is_straight()) continue;
       curves_.push_back(&domain.curves[at(segment.curve)]);
@@ -23,7 +24,8 @@ class Curves {
     tree_ = BoxTree(boxes_.size(), [this](std::size_t i) { return boxes_[i]; });
   }
 
-  /// The height of the arc between two points of one curve that is less than half a circle.
+  /// The height of the arc between two points of one curve that is less than half a circle, where the edge between
+  /// them is not on a straight segment.
   double arc_height(const Point& a, const Point& b) const {
     double height = 0.0;
     const Point middle = midpoint(a, b);
@@ -34,7 +36,7 @@ class Curves {
       const Vector to_arc = curves_[i]->at(curves_[i]->nearest(middle)) - middle;
       if (norm(to_arc) < reach) height = cross(to_arc, b - a) / norm(b - a);
     });
-    return height;
+    return height != 0.0 && is_on_straight_segment(middle, reach) ? 0.0 : height;
   }
 
  private:
@@ -43,6 +45,14 @@ class Curves {
     return norm(curve.at(curve.nearest(p)) - p) <= tolerance * curve.extent();
   }
 
+  bool is_on_straight_segment(const Point& middle, double reach) const {
+    constexpr double tolerance = 1e-9;
+    const auto is_straight = [this](int s) { return domain_.segments[at(s)].is_straight(); };
+    return segments_.nearest(middle, is_straight, tolerance * reach).segment >= 0;
+  }
+
+  const Domain& domain_;
+  SegmentTree segments_;
   std::vector<const Curve*> curves_;
   std::vector<BoxTree::Box> boxes_;
   BoxTree tree_;

@@ -147,20 +147,21 @@ bool has_shared_sides(const Mesh& mesh) {
   });
 }
 
-/// The rings with points nearer than the tolerance as one, the first of them, before anything is told by them: what
-/// then runs together is a border. Returns what was merged.
+/// The rings with points nearer than the tolerance as one, the first of them, and sides bent to points that are as
+/// near, before anything is told by them: what then runs together is a border. Returns what was merged and bent.
 std::vector<std::string> merge_rings(std::vector<GeoFeature>& features, double tolerance) {
   Domain rings;
   rings.merge_tolerance = tolerance;
-  for_each_ring(features,
-                [&rings](const GeoRing& ring) { rings.points.insert(rings.points.end(), ring.begin(), ring.end()); });
-  const int n = static_cast<int>(rings.points.size());
-  for (int i = 0; i < n; ++i) rings.segments.push_back({i, i});  // follow their points
+  int number = 0;
+  for_each_ring(features, [&](const GeoRing& ring) { append_ring(ring, number++, rings); });
   check_input(rings);
   const DomainRepair merged = merge_points(rings);
-  std::size_t next = 0;
+  auto side = merged.domain.segments.begin();  // in the order of the rings and along them, labelled by their numbers
+  number = 0;
   for_each_ring(features, [&](GeoRing& ring) {
-    for (Point& p : ring) p = merged.point(merged.domain.segments[next++].a);
+    ring.clear();
+    for (; side != merged.domain.segments.end() && side->label == number; ++side) ring.push_back(merged.point(side->a));
+    ++number;
   });
   return merged.repairs;
 }
@@ -179,11 +180,11 @@ Domain domain_of_parts(Mesh mesh) {
   return domain_of(mesh);
 }
 
-/// Where rings do not run together, the domain that has them as they are.
-Domain domain_of_one(const std::vector<GeoFeature>& features, Crossings crossings) {
-  Domain rings = domain_of_feature(features.front());
+/// Where rings do not run together, the domain that has them as they are given.
+Domain domain_of_one(const GeoFeature& given, const std::vector<GeoFeature>& features, Crossings crossings) {
+  const Domain rings = domain_of_feature(features.front());
   Mesh mesh = parts_of_features(rings, features, crossings);
-  if (!has_shared_sides(mesh)) return rings;
+  if (!has_shared_sides(mesh)) return domain_of_feature(given);
   Domain domain = domain_of_parts(std::move(mesh));
   domain.regions.clear();
   domain.region_names = rings.region_names;
@@ -207,12 +208,14 @@ Domain domain_of_features(const std::vector<GeoFeature>& features, Crossings cro
 }  // namespace
 
 Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings, double merge_tolerance) {
-  std::vector<GeoFeature> features = parse_geojson_features(text, name);
+  const std::vector<GeoFeature> given = parse_geojson_features(text, name);
+  std::vector<GeoFeature> features = given;
   std::vector<std::string> merged;
   if (merge_tolerance > 0.0) merged = merge_rings(features, merge_tolerance);
-  Domain domain = features.size() == 1 ? domain_of_one(features, crossings) : domain_of_features(features, crossings);
+  Domain domain = features.size() == 1 ? domain_of_one(given.front(), features, crossings)
+                                       : domain_of_features(features, crossings);
   domain.merge_tolerance = merge_tolerance;
-  // Rings as they are have their equal points yet, so clean() tells of them.
+  // Rings as they are given are yet to be merged, by clean(), which tells of it.
   if (domain.inside == Inside::HoleSeeds) domain.notes = std::move(merged);
   return domain;
 }

@@ -17,7 +17,7 @@ struct Segment {
   int b = 0;
   int label = 0;                        // of a crack: of the side to the left of a -> b
   std::optional<int> label_right = {};  // makes it a crack: the label of the other side
-  bool required = false;                // stays whole: one edge of every mesh
+  bool required = false;                // stays whole: one edge of every mesh; for straight ones
   int curve = -1;                       // the one of the domain's that begins at a and ends at b; -1: none
   bool is_straight() const { return curve < 0; }
 };

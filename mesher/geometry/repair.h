@@ -70,11 +70,15 @@ struct StraightSegments {
 /// for coordinates over 1e75.
 void check_input(const Domain& domain);
 
-/// Equal points, and those nearer than the domain's tolerance, become the first of them, and points near the end of a
+/// Equal points, and those nearer than the domain's tolerance, become the first of them, straight segments are bent to
+/// points within the tolerance, and points near the end of a
 /// curve to rounding become that; the order of the others stays. The domain's notes become the first repairs.
 /// Errors: GeometryError for a seed of a hole or region that is nearer than the tolerance to a straight segment, once
-/// points are merged by it.
+/// points are merged or segments bent by it.
 DomainRepair merge_points(const Domain& domain);
+
+/// Replaces each straight segment that has points nearer than the tolerance beside it by the chain through them.
+DomainRepair bend_to_near_points(DomainRepair repair, double tolerance);
 
 /// Splits curved segments in the middle if they end where they begin, at kinks, and at points on them.
 /// Errors: GeometryError for a segment whose curve does not begin and end at its points, and for a seed on a curve.
@@ -136,7 +140,8 @@ Point crossing_of(const DomainRepair& repair, int s, int t);
 /// Gives a crack of one segment a point in its middle, unless another goes on: one edge alone might not open.
 DomainRepair halve_single_cracks(DomainRepair repair);
 
-/// Notes the two nearest points if they are under 1e-7 of the diameter or 16 ulp apart.
+/// Notes the two nearest points, or the point that is nearest beside a straight segment, if they are under 1e-7 of the
+/// diameter or 16 ulp apart.
 DomainRepair note_close_points(DomainRepair repair);
 
 }  // namespace parmesan

@@ -102,8 +102,12 @@ DomainRepair merge_points(const Domain& domain) {
   for (int& v : repair.domain.required_points) v = new_number(v);
   for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) repair.segment_sources.push_back({s});
   const std::string near = "by the tolerance " + text(domain.merge_tolerance) + " merged";
-  if (by_tolerance && !merged.empty()) refuse_seeds_near_segments(repair.domain, domain.merge_tolerance);
   repair.note(by_tolerance ? near : "merged", by_tolerance ? "point" : "duplicate point", merged);
+  if (!by_tolerance) return repair;
+  const std::size_t num_segments = repair.domain.segments.size();
+  repair = bend_to_near_points(std::move(repair), domain.merge_tolerance);
+  const bool any_bent = repair.domain.segments.size() > num_segments;
+  if (any_bent || !merged.empty()) refuse_seeds_near_segments(repair.domain, domain.merge_tolerance);
   return repair;
 }
 

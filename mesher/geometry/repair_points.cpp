@@ -3,11 +3,9 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/bounding_diagonal.h"
-#include "mesher/geometry/closest_pair.h"
 #include "mesher/geometry/point_finder.h"
 #include "mesher/geometry/predicates.h"
 #include "mesher/geometry/repair.h"
-#include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_path.h"
 
 namespace parmesan {
@@ -16,8 +14,6 @@ namespace {
 
 // Below it the products of the mesher could underflow.
 constexpr double min_diameter = 1e-75;
-
-constexpr double close_share_of_diameter = 1e-7;
 
 // what: "point 3"
 void check_coordinates(const Point& p, const std::string& what, int index) {
@@ -88,7 +84,11 @@ void check_input(const Domain& domain) {
   for (const Segment& s : domain.segments) {
     check_end(domain, s.a, index);
     check_end(domain, s.b, index);
-    check_curve(domain, s.curve, index++);
+    check_curve(domain, s.curve, index);
+    if (s.required && !s.is_straight())
+      throw GeometryError("segment " + number_text(domain, index) + " is required to stay one edge, but runs along a curve",
+                          {index});
+    ++index;
   }
   for (const int v : domain.required_points) {
     if (v < 0 || v >= static_cast<int>(domain.points.size()))
@@ -125,20 +125,6 @@ void require_seeds_off_points(const DomainRepair& repair) {
   for (const Point& hole : repair.domain.holes) check(hole, "hole", index++);
   index = 0;
   for (const RegionSeed& region : repair.domain.regions) check(region.point, "region", index++);
-}
-
-DomainRepair note_close_points(DomainRepair repair) {
-  const double diameter = bounding_diagonal(repair.domain.points);
-  const double rounding = rounding_of(repair.domain.points);
-  const ClosestPair pair = closest_pair(repair.domain.points);
-  if (pair.distance >= close_share_of_diameter * diameter && pair.distance >= rounding) return repair;
-  std::string message = "kept points " + repair.point_text(pair.first) + " and " + repair.point_text(pair.second) +
-                        " apart, though their distance " + text(pair.distance) + " is only " +
-                        text(pair.distance / diameter) + " of the diameter";
-  if (pair.distance < rounding) message += " and near the resolution of the coordinates: subtract an offset";
-  message += "; a merge tolerance above it makes them one";
-  repair.repairs.push_back(std::move(message));
-  return repair;
 }
 
 }  // namespace parmesan

@@ -128,6 +128,9 @@ TEST_CASE("What is wrong with a curve is said at its place", "[adapt][case][erro
   CHECK_THAT(issues_of_geometry(R"j("curves": [])j"), Catch::Contains("/geometry/curves: must be a list of pieces"));
   CHECK_THAT(issues_of_geometry(R"j("disc": {"radius": 1}, "segments": [{"from": [0, 0]}])j"),
              Catch::Contains("/geometry/segments/0: the key 'to' is missing"));
+  const std::string bow = R"j("arc": {"radius": 0.5, "from": 0, "to": 90}, "label": "bow")j";
+  CHECK_THAT(issues_of_geometry(R"j("disc": {"radius": 1}, "segments": [{)j" + bow + R"j(, "required": true}])j"),
+             Catch::Contains("/geometry/segments/0/required: is for straight segments"));
   CHECK_THROWS_AS(domain_of_case(with_piece(R"j({"parametric": {"x": "1 - 2*sin(pi*t)", "y": "t"}})j")), GeometryError);
 }
 

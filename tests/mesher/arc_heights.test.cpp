@@ -1,8 +1,10 @@
 #include "mesher/arc_heights.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "mesher/generate.h"
 #include "mesher/metric/metric_field.h"
@@ -28,6 +30,17 @@ TEST_CASE("edges on circles are as far from their arcs as chords are, outwards",
 TEST_CASE("straight edges stand for no arc, beside curves either", "[curves]") {
   const Domain domain = support::half_disc();  // the diameter has label 2
   const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(0.2))).mesh;
+  const std::vector<double> heights = arc_heights(mesh, domain);
+  for (std::size_t e = 0; e < heights.size(); ++e) CHECK((heights[e] == 0.0) == (mesh.labels[e] == 2));
+}
+
+TEST_CASE("a straight edge between two points of a circle stands for no arc", "[curves]") {
+  Domain domain;  // the part of the unit disc beyond a chord, which is one edge
+  domain.points = {{1.0, 0.0}, {0.0, 1.0}};
+  domain.curves = {circular_arc({0.0, 0.0}, 1.0, 0.0, 0.5 * std::numbers::pi)};
+  domain.segments = {{0, 1, 1, {}, false, 0}, {1, 0, 2}};
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(3.0))).mesh;
+  REQUIRE(std::ranges::count(mesh.labels, 2) == 1);
   const std::vector<double> heights = arc_heights(mesh, domain);
   for (std::size_t e = 0; e < heights.size(); ++e) CHECK((heights[e] == 0.0) == (mesh.labels[e] == 2));
 }

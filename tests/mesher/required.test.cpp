@@ -16,6 +16,7 @@
 #include "mesher/validate.h"
 #include "tests/oracle/domain_cover.h"
 #include "tests/oracle/mesh_checker.h"
+#include "tests/support/curved_domains.h"
 #include "tests/support/domains.h"
 #include "tests/support/meshes.h"
 #include "tests/support/temporary_folder.h"
@@ -87,6 +88,12 @@ TEST_CASE("a required segment stays one edge, and the diagnosis says what that c
   REQUIRE(result.mesh.required.vertices.size() == 1);
   CHECK(result.mesh.points[at(result.mesh.required.vertices[0])] == Point{0.5, 0.7});
   CHECK(count_of(result.report.diagnosis.long_edges, MisfitReason::Required) == (h < 1.0 ? 1 : 0));  // 0.51 long
+}
+
+TEST_CASE("a segment along a curve cannot stay one edge", "[mesher][required][curves][errors]") {
+  Domain domain = support::half_disc();
+  domain.segments[0].required = true;
+  CHECK_THROWS_AS(generate(domain, ConstantField(Metric::isotropic(0.5))), GeometryError);
 }
 
 TEST_CASE("a previous mesh that cut a required segment is no start", "[mesher][required]") {

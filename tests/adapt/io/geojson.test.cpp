@@ -139,6 +139,15 @@ TEST_CASE("A merge tolerance makes one border of rings a little apart, as if the
     for (const auto& [name, length] : std::map<std::string, double>{{"a", 3.0}, {"b", 3.0}, {"a|b", 1.0}})
       CHECK(lengths.at(name) == Approx(length).epsilon(1e-6));
   }
+  SECTION("of two features with points where the other has none") {
+    const std::string bent = "[[1.0000001,0],[2,0],[2,1],[1,1],[1.0000001,0.5],[1.0000001,0]]";
+    const Domain domain = merged(collection(feature("a", polygon(left)) + "," + feature("b", polygon(bent))));
+    const std::map<std::string, double> lengths = length_by_name(domain);
+    REQUIRE(lengths.size() == 3);
+    for (const auto& [name, length] : std::map<std::string, double>{{"a", 3.0}, {"b", 3.0}, {"a|b", 1.0}})
+      CHECK(lengths.at(name) == Approx(length).epsilon(1e-6));
+    CHECK_THAT(delaunay_mesh(domain).repairs.at(1), Catch::Contains("bent segments to 1 near point"));
+  }
   SECTION("of one") {
     const Domain domain = merged(R"({"type":"MultiPolygon","coordinates":[[)" + left + "],[" + right + "]]}");
     const std::map<std::string, double> lengths = length_by_name(domain);

@@ -153,6 +153,51 @@ TEST_CASE("clean merges points nearer than the tolerance, and those it keeps are
   CHECK_THAT(error_of(cloud), Contains("tolerance"));
 }
 
+TEST_CASE("clean notes a point beside a segment, and bends segments to points nearer than the tolerance",
+          "[mesher][domain]") {
+  constexpr double off = 1e-9;
+  // Two squares: the side of the first has a point of the second beside it, as that of the second one of the first.
+  Domain seam = closed_polygon({{0, 0}, {1, 0}, {1 - off, 0.7}, {1, 1}, {0, 1}});
+  const Domain other = closed_polygon({{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1 + off, 0.3}});
+  const int first = static_cast<int>(seam.points.size());
+  for (const Segment& s : other.segments) seam.segments.push_back(piece_of(s, first + s.a, first + s.b));
+  seam.points.insert(seam.points.end(), other.points.begin(), other.points.end());
+  CHECK_THAT(all_repairs(clean(seam)), Contains("kept point 2 beside segment 8") || Contains("kept point 9 beside"));
+  seam.merge_tolerance = 1e-8;
+  const CleanDomain cleaned = clean(seam);
+  CHECK_THAT(all_repairs(cleaned), Contains("by the tolerance 1e-08 bent segments to 2 near points: 1 to point 9, "
+                                            "8 to point 2") &&
+                                       !Contains("kept point"));
+  // One seam of three edges, by the first of the two: 5 + 5 segments and two cut in two, three of which were double.
+  CHECK(cleaned.domain.points.size() == 8);
+  CHECK(cleaned.domain.segments.size() == 9);
+  const auto edges_at = [&](int v) {
+    return std::ranges::count_if(cleaned.domain.segments, [v](const Segment& s) { return s.a == v || s.b == v; });
+  };
+  CHECK(edges_at(2) == 2);
+  CHECK(edges_at(1) == 3);
+  CHECK(ends_of(clean(cleaned.domain).domain) == ends_of(cleaned.domain));
+}
+
+TEST_CASE("bending to near points ends, whatever lies beside what", "[mesher][domain]") {
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (const double tolerance : {0.003, 0.03, 0.2}) {
+    Domain cloud = closed_polygon({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}});
+    for (int i = 0; i < 300; ++i) cloud.points.push_back({place(engine), place(engine)});
+    for (int i = 4; i + 1 < 304; i += 100) cloud.segments.push_back({i, i + 1, 7});
+    cloud.merge_tolerance = tolerance;
+    const Domain cleaned = clean(cloud, Crossings::Split).domain;
+    double length = 0.0;
+    for (const Segment& s : cleaned.segments) {
+      const Point a = cleaned.points[static_cast<std::size_t>(s.a)], b = cleaned.points[static_cast<std::size_t>(s.b)];
+      length += norm(b - a);
+    }
+    CHECK(length > 16.0);
+    CHECK(length < 40.0);
+  }
+}
+
 TEST_CASE("clean drops repeated, reversed and zero-length segments, and the first keeps its label",
           "[mesher][domain]") {
   Domain domain = square();
