@@ -28,11 +28,11 @@ struct CleanDomain {
 /// that lie on them to 1e-9 of their extent, for pieces that of the whole: cleaning twice changes nothing more.
 ///
 /// Errors: InputError for coordinates over 1e75 and a domain smaller than 1e-75. GeometryError for coordinates that are
-/// not finite, indices out of range, curved segments that are required, a negative tolerance, fewer than three non-collinear points, properly crossing
-/// segments (names both and the crossing point) unless they are to be split, segments that curves touch between points,
-/// curves that do not begin and end at their segment's points, to 1e-9 of their extent, segments that enclose no area
-/// (names an open end), a hole or region seed on a segment. A seed outside of what the segments enclose is not looked
-/// for. Cost: O(n log n) expected.
+/// not finite, indices out of range, curved segments that are required, a negative tolerance, fewer than three
+/// non-collinear points, properly crossing segments (names both and the crossing point) unless they are to be split,
+/// segments that curves touch between points, curves that do not begin and end at their segment's points, to 1e-9 of
+/// their extent, segments that enclose no area (names an open end), a hole or region seed on a segment. A seed outside
+/// of what the segments enclose is not looked for. Cost: O(n log n) expected.
 CleanDomain clean(const Domain& domain, Crossings crossings = Crossings::Refuse);
 
 }  // namespace parmesan

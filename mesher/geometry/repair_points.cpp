@@ -86,8 +86,8 @@ void check_input(const Domain& domain) {
     check_end(domain, s.b, index);
     check_curve(domain, s.curve, index);
     if (s.required && !s.is_straight())
-      throw GeometryError("segment " + number_text(domain, index) + " is required to stay one edge, but runs along a curve",
-                          {index});
+      throw GeometryError(
+          "segment " + number_text(domain, index) + " is required to stay one edge, but runs along a curve", {index});
     ++index;
   }
   for (const int v : domain.required_points) {

@@ -19,7 +19,9 @@ namespace parmesan {
 void add_repair_options(CLI::App& command, RepairOptions& options) {
   command.add_flag("--repair", options.split_crossings,
                    "Split segments where they cross instead of refusing the geometry");
-  command.add_option("--merge-tolerance", options.merge_tolerance, "Merge points of the geometry nearer than this, and bend segments to points as near")
+  command
+      .add_option("--merge-tolerance", options.merge_tolerance,
+                  "Merge points of the geometry nearer than this, and bend segments to points as near")
       ->check(positive_number())
       ->option_text("D");
 }
