@@ -10,7 +10,9 @@
 #include "fem/boundary_conditions.h"
 #include "fem/quadratic.h"
 #include "fem/recovery.h"
+#include "fem/smooth_parts.h"
 #include "fem/vector_of.h"
+#include "mesher/edge_finder.h"
 #include "mesher/index.h"
 #include "mesher/triangulation/refine.h"
 
@@ -49,17 +51,27 @@ std::vector<double> prolonged(const Refinement& fine, std::span<const double> va
   return result;
 }
 
-/// At the new vertices: what the dual is more there than half-way between its values at the ends.
-std::vector<double> dual_surplus(const Mesh& coarse, const Refinement& fine, std::span<const double> dual,
+/// At the new vertices: what the dual is more there than half-way between its values at the ends, in the mean of the
+/// triangles beside the edge.
+std::vector<double> dual_surplus(const SmoothParts& parts, const Refinement& fine, std::span<const double> dual,
                                  const FixedVertices& fixed) {
-  const std::vector<Vector> gradients = recover_gradients(coarse, dual);
+  const Mesh& coarse = parts.mesh();
+  const std::vector<Vector> gradients = recover_gradients(coarse, parts.spread(dual));
+  const std::size_t num_coarse = parts.whole().points.size();
+  const EdgeFinder edges(fine.ends, num_coarse);
   std::vector<double> result(fine.mesh.points.size(), 0.0);
-  for (std::size_t k = 0; k < fine.ends.size(); ++k) {
-    const auto [a, b] = fine.ends[k];
-    const Vector edge = coarse.points[at(b)] - coarse.points[at(a)];
-    const std::size_t m = coarse.points.size() + k;
-    if (!fixed.fixed[m]) result[m] = surplus(gradients[at(a)], gradients[at(b)], edge);
-  }
+  std::vector<int> num_triangles(fine.ends.size(), 0);
+  for (const auto& corners : coarse.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = corners[k], b = corners[(k + 1) % 3];
+      const int edge = edges.find(parts.source(at(a)), parts.source(at(b)));
+      if (edge < 0 || fixed.fixed[num_coarse + at(edge)]) continue;
+      double& sum = result[num_coarse + at(edge)];
+      sum += surplus(gradients[at(a)], gradients[at(b)], coarse.points[at(b)] - coarse.points[at(a)]);
+      ++num_triangles[at(edge)];
+    }
+  for (std::size_t k = 0; k < num_triangles.size(); ++k)
+    if (num_triangles[k] > 1) result[num_coarse + k] /= num_triangles[k];
   return result;
 }
 
@@ -93,7 +105,8 @@ GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const Go
   const FixedVertices fixed = dirichlet_values(fine.mesh, problem, sides);
   const std::vector<double> u = prolonged(fine, solution.values);
   std::vector<double> z = prolonged(fine, solution.dual);
-  const std::vector<double> above = dual_surplus(mesh, fine, solution.dual, fixed);
+  const SmoothParts dual_parts(mesh, problem, labelled_sides(mesh), &goal);
+  const std::vector<double> above = dual_surplus(dual_parts, fine, solution.dual, fixed);
   const Eigen::VectorXd left = system.load - system.matrix * vector_of(u);  // by u_h, without SUPG
   GoalError result;
   result.error = vector_of(z).dot(left) + vector_of(solution.dual).dot(vector_of(solution.residual));

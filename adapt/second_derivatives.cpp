@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "adapt/functional_value.h"
 #include "adapt/goal_metric.h"
 #include "fem/smooth_parts.h"
 #include "mesher/metric/tensor_interpolant.h"
@@ -91,9 +92,11 @@ SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) 
   SecondDerivatives result =
       input.metric.exact_hessian && input.exact ? of_exact(input, iterate) : of_discrete(input, iterate, parts);
   if (input.goal) {
-    const std::vector<Hessian> dual = hessians_on(parts, iterate.dual, input.metric.recovery);
+    const GoalFunctional goal = goal_functional(*input.goal, iterate.mesh);
+    const SmoothParts dual_parts(iterate.mesh, input.problem, labelled_sides(iterate.mesh), &goal);
+    const std::vector<Hessian> dual = hessians_on(dual_parts, iterate.dual, input.metric.recovery);
     result.goal = goal_tensors(iterate.mesh, input.problem, result.absolute,
-                               PartMeans(parts).of(absolute_hessians(parts.mesh(), dual)));
+                               PartMeans(dual_parts).of(absolute_hessians(dual_parts.mesh(), dual)));
   }
   return result;
 }

@@ -18,11 +18,13 @@ bool differ(const Diffusion& a, const Diffusion& b) {
 }
 
 /// The sides along which the mesh comes apart. One between two tips cannot.
-std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) {
+std::vector<char> opening_sides(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                                const GoalFunctional* dual_of) {
   std::vector<char> opens(sides.size(), 0);
   std::vector<char> degree(mesh.points.size(), 0);  // of sides that open and those of the outline, 2 for many
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    opens[s] = gradient_jumps(mesh, problem, sides[s]) ? 1 : 0;
+    const bool is_weighed = dual_of != nullptr && sides[s].interior && dual_of->sides.contains(sides[s].label);
+    opens[s] = is_weighed || gradient_jumps(mesh, problem, sides[s]) ? 1 : 0;
     if (!opens[s] && sides[s].interior) continue;
     for (const int v : {sides[s].from, sides[s].to}) {
       char& d = degree[at(v)];
@@ -46,8 +48,10 @@ bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side) 
   return differ(problem.diffusion(middle, side.region), problem.diffusion(middle, side.other_region));
 }
 
-SmoothParts::SmoothParts(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides) : whole_(&mesh) {
-  const std::vector<char> opens = opening_sides(mesh, problem, sides);
+SmoothParts::SmoothParts(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+                         const GoalFunctional* dual_of)
+    : whole_(&mesh) {
+  const std::vector<char> opens = opening_sides(mesh, problem, sides, dual_of);
   if (std::ranges::count(opens, 0) == std::ssize(opens)) return;
   std::vector<std::optional<int>> right_labels(sides.size());
   for (std::size_t s = 0; s < sides.size(); ++s)

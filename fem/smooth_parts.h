@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fem/functionals.h"
 #include "fem/problem.h"
 #include "fem/sides.h"
 #include "mesher/cracks.h"
@@ -17,11 +18,14 @@ bool gradient_jumps(const Mesh& mesh, const Problem& problem, const Side& side);
 /// The mesh taken apart where the gradient of the solution jumps: along sides between regions with different diffusion,
 /// and along interior constraints with given values. Vertices there are doubled, so that gradients and second
 /// derivatives that are recovered on the parts know nothing of the other side. Triangles keep their order.
+///
+/// The gradient of a dual solution jumps along interior constraints that its goal weighs u on, too.
 class SmoothParts {
  public:
-  /// sides: labelled_sides(mesh). The mesh must live as long. Errors: what the diffusion throws. Cost: O(n) where
-  /// something jumps, else O(sides).
-  SmoothParts(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides);
+  /// sides: labelled_sides(mesh); dual_of: of its dual solution for this goal. The mesh must live as long. Errors: what
+  /// the diffusion throws. Cost: O(n) where something jumps, else O(sides).
+  SmoothParts(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
+              const GoalFunctional* dual_of = nullptr);
 
   /// The mesh itself where nothing jumps.
   const Mesh& mesh() const { return opened_ ? opened_->mesh : *whole_; }
