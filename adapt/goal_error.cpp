@@ -75,6 +75,29 @@ std::vector<double> dual_surplus(const SmoothParts& parts, const Refinement& fin
   return result;
 }
 
+/// The values that u has in the middles of Dirichlet sides that stand for arcs, in place of what is given there.
+void continue_from_arcs(const SmoothParts& parts, const Problem& problem, const std::vector<Side>& sides,
+                        const Refinement& fine, std::span<const double> values, FixedVertices& fixed) {
+  const Mesh& coarse = parts.mesh();
+  const EdgeFinder edges(fine.ends, parts.whole().points.size());
+  std::vector<Vector> gradients;  // recovered where there are arcs
+  for (const Side& side : sides) {
+    const BoundaryCondition* condition = condition_on(problem, side);
+    if (side.arc_height == 0.0 || side.interior || !condition || condition->kind != BoundaryKind::Dirichlet) continue;
+    const int edge = edges.find(side.from, side.to);
+    if (edge < 0) continue;
+    if (gradients.empty()) gradients = recover_gradients(coarse, parts.spread(values));
+    Vector gradient;
+    for (const int v : coarse.triangles[at(side.triangle)])
+      if (const int of_whole = parts.source(at(v)); of_whole == side.from || of_whole == side.to)
+        gradient = gradient + 0.5 * gradients[at(v)];
+    const std::size_t middle = parts.whole().points.size() + at(edge);
+    const Point on_arc = fine.mesh.points[middle] + side.arc_height * side.normal;
+    const double given = condition->value ? condition->value(on_arc, side.normal, side.region) : 0.0;
+    if (std::isfinite(given)) fixed.values[middle] = given - side.arc_height * dot(gradient, side.normal);
+  }
+}
+
 /// Whether u has the values that are given.
 bool is_exact_where_fixed(std::span<const double> u, const FixedVertices& fixed) {
   for (std::size_t v = 0; v < u.size(); ++v)
@@ -95,17 +118,19 @@ std::vector<double> dual_residual(const Mesh& mesh, const GoalFunctional& goal, 
 }  // namespace
 
 GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,
-                              const SolutionWithDual& solution) {
+                              const SolutionWithDual& solution, std::span<const double> arc_heights) {
   constexpr double of_parabolas = 4.0 / 3.0;
   const Refinement fine = refined(mesh);
   const std::vector<Side> sides = labelled_sides(fine.mesh);
   Problem unstabilized = problem;
   unstabilized.stabilize = false;
   const AssembledSystem system = assemble_with_conditions(fine.mesh, unstabilized, sides);
-  const FixedVertices fixed = dirichlet_values(fine.mesh, problem, sides);
+  FixedVertices fixed = dirichlet_values(fine.mesh, problem, sides);
+  const std::vector<Side> coarse_sides = labelled_sides(mesh, arc_heights);
+  continue_from_arcs(SmoothParts(mesh, problem, coarse_sides), problem, coarse_sides, fine, solution.values, fixed);
   const std::vector<double> u = prolonged(fine, solution.values);
   std::vector<double> z = prolonged(fine, solution.dual);
-  const SmoothParts dual_parts(mesh, problem, labelled_sides(mesh), &goal);
+  const SmoothParts dual_parts(mesh, problem, coarse_sides, &goal);
   const std::vector<double> above = dual_surplus(dual_parts, fine, solution.dual, fixed);
   const Eigen::VectorXd left = system.load - system.matrix * vector_of(u);  // by u_h, without SUPG
   GoalError result;

@@ -16,6 +16,7 @@
 #include "adapt/stopwatch.h"
 #include "adapt/targets.h"
 #include "fem/residual_estimate.h"
+#include "mesher/arc_heights.h"
 #include "mesher/quality.h"
 
 namespace parmesan {
@@ -67,7 +68,8 @@ GoalRow goal_row(const Mesh& mesh, const Case& input, const Iterate& iterate) {
   GoalRow row;
   const GoalFunctional functional = goal_functional(*input.goal, mesh);
   row.value = evaluate(*input.goal, mesh, iterate.values, iterate.fluxes);
-  row.estimate = estimate_goal_error(mesh, input.problem, functional, {iterate.values, iterate.residual, iterate.dual});
+  row.estimate = estimate_goal_error(mesh, input.problem, functional, {iterate.values, iterate.residual, iterate.dual},
+                                     arc_heights(mesh, input.domain));
   if (iterate.goal_error) {
     row.estimate.error = *iterate.goal_error;
     row.estimate.magnitude = std::max(row.estimate.magnitude, std::abs(*iterate.goal_error));

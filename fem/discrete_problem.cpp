@@ -6,10 +6,8 @@ namespace {
 
 std::vector<Side> checked_sides(const Mesh& mesh, const Problem& problem, std::span<const double> arc_heights) {
   if (mesh.triangles.empty()) throw GeometryError("the mesh has no triangle");
-  std::vector<Side> sides = labelled_sides(mesh);
+  std::vector<Side> sides = labelled_sides(mesh, arc_heights);
   check_conditions(mesh, problem, sides);
-  for (std::size_t e = 0; e < arc_heights.size(); ++e)
-    sides[e].arc_height = mesh.edges[e][0] == sides[e].from ? arc_heights[e] : -arc_heights[e];
   return sides;
 }
 

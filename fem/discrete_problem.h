@@ -14,7 +14,7 @@ namespace parmesan {
 /// The P1 equations of a problem on a mesh, conditions included, ready to be solved.
 struct DiscreteProblem {
   /// The mesh, which is taken to pass validate(), and the problem must live as long. crosswind: as assemble.
-  /// arc_heights: how far the arcs that labelled edges stand for are from their middles, to the right of them, or none.
+  /// arc_heights: as labelled_sides.
   /// Errors: ProblemError (data), GeometryError (no triangle, or one whose area is not positive in floating point).
   DiscreteProblem(const Mesh& the_mesh, const Problem& the_problem, std::span<const double> crosswind = {},
                   std::span<const double> arc_heights = {});

@@ -25,7 +25,7 @@ Side make_side(const Mesh& mesh, std::size_t edge, int from, int to, std::size_t
 
 }  // namespace
 
-std::vector<Side> labelled_sides(const Mesh& mesh) {
+std::vector<Side> labelled_sides(const Mesh& mesh, std::span<const double> arc_heights) {
   const EdgeFinder edges(mesh.edges, mesh.points.size());
   std::vector<Side> sides(mesh.edges.size());
   std::vector<int> found(mesh.edges.size(), 0);
@@ -52,6 +52,8 @@ std::vector<Side> labelled_sides(const Mesh& mesh) {
     if (found[e] > 0) continue;
     throw GeometryError("edge " + std::to_string(e) + " is the side of no triangle", {static_cast<int>(e)});
   }
+  for (std::size_t e = 0; e < arc_heights.size(); ++e)
+    sides[e].arc_height = mesh.edges[e][0] == sides[e].from ? arc_heights[e] : -arc_heights[e];
   return sides;
 }
 

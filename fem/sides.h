@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "mesher/mesh.h"
@@ -27,8 +28,9 @@ struct Side {
 };
 
 /// The labelled edges in the order of mesh.edges. Interior constraints are seen from the left.
+/// arc_heights: how far the arcs that labelled edges stand for are from their middles, to the right of them, or none.
 /// Errors: GeometryError for an edge that is the side of no triangle.
-std::vector<Side> labelled_sides(const Mesh& mesh);
+std::vector<Side> labelled_sides(const Mesh& mesh, std::span<const double> arc_heights = {});
 
 /// Which corner of a triangle beside the side is not on it.
 std::size_t apex_of(const Mesh& mesh, const Side& side, int triangle);
