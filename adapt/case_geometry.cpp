@@ -91,10 +91,13 @@ bool is_usable_alone(CaseReading& reading, const Json& geometry, const Shape& sh
   return reading.issues.clean(kGeometry);
 }
 
+bool has_additions(const Domain& domain, const DomainBase& base) {
+  return domain.segments.size() > base.segments || domain.points.size() > base.points;
+}
+
 /// Whether what was added to a base may part what its seeds stand for.
 bool may_move_seeds(const Domain& domain, const DomainBase& base) {
-  const bool adds = domain.segments.size() > base.segments || domain.points.size() > base.points;
-  return adds && (domain.inside == Inside::EvenOdd || base.holes > 0 || base.regions > 0);
+  return has_additions(domain, base) && (domain.inside == Inside::EvenOdd || base.holes > 0 || base.regions > 0);
 }
 
 }  // namespace
@@ -130,7 +133,8 @@ std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
     (is_side && !shape->is_from_file ? result.sides : result.optional).push_back(label);
   }
   result.domain = builder.domain();
-  result.domain.merge_tolerance = merge_tolerance_of(reading, kGeometry);
+  if (!shape->is_from_file || has_additions(result.domain, base))  // files are read with it
+    result.domain.merge_tolerance = merge_tolerance_of(reading, kGeometry);
   if (may_move_seeds(result.domain, base)) result.domain = with_parts_kept(std::move(result.domain), base);
   result.required_regions = read_required_regions(reading, geometry, result.domain);
   if (shape->mesh) result.kept = mesh_to_keep(reading, geometry, std::move(*shape->mesh), result);

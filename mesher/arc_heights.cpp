@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesher/geometry/box_tree.h"
+#include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
@@ -14,7 +15,7 @@ namespace {
 /// The curves of a domain, and where they lie. The domain is referred to.
 class Curves {
  public:
-  explicit Curves(const Domain& domain) : domain_(domain), segments_(domain) {
+  explicit Curves(const Domain& domain) : domain_(domain), segments_(domain), rounding_(rounding_of(domain.points)) {
     for (const Segment& segment : domain.segments) {
       if (segment.is_straight()) continue;
       curves_.push_back(&domain.curves[at(segment.curve)]);
@@ -48,11 +49,12 @@ class Curves {
   bool is_on_straight_segment(const Point& middle, double reach) const {
     constexpr double tolerance = 1e-9;
     const auto is_straight = [this](int s) { return domain_.segments[at(s)].is_straight(); };
-    return segments_.nearest(middle, is_straight, tolerance * reach).segment >= 0;
+    return segments_.nearest(middle, is_straight, std::max(tolerance * reach, rounding_)).segment >= 0;
   }
 
   const Domain& domain_;
   SegmentTree segments_;
+  double rounding_;  // of coordinates
   std::vector<const Curve*> curves_;
   std::vector<BoxTree::Box> boxes_;
   BoxTree tree_;

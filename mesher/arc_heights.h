@@ -8,8 +8,8 @@
 namespace parmesan {
 
 /// How far the arc that each edge of a mesh stands for is from the edge's middle, to the right of its direction; zero
-/// for edges that lie on no curve of the domain. The ends of edges on curves are on them to rounding. Units: L.
-/// Cost: O(b log b) expected.
+/// for edges that lie on no curve of the domain, or on a straight segment. The ends of edges on curves are on them to
+/// rounding. Units: L. Cost: O(b log b) expected.
 std::vector<double> arc_heights(const Mesh& mesh, const Domain& domain);
 
 }  // namespace parmesan

@@ -97,9 +97,7 @@ std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metri
 }
 
 /// What the user gets of the mesh, cracks opened and with the domain's labels.
-/// Errors: LimitError for more than max_vertices: points of the domain and those on segments come whatever the limit.
-GenerateResult finished(Relaxed relaxed, const Domain& domain, GenerateReport report, std::int64_t max_vertices) {
-  require_few_vertices(relaxed.mesh.num_vertices(), max_vertices);
+GenerateResult finished(Relaxed relaxed, const Domain& domain, GenerateReport report) {
   GenerateResult result{.mesh = {}, .metrics = {}, .relaxed = {}, .report = std::move(report)};
   result.report.diagnosis = diagnose(relaxed.mesh, relaxed.metrics, domain);
   if (std::optional<std::string> chords = distant_chords(relaxed.mesh, domain))
@@ -128,6 +126,7 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
   report.warnings = std::move(cleaned.repairs);
 
   Mesh sites = to_mesh(triangulate(outline.domain), outline.segments).mesh;
+  require_within_limit(sites, options.max_vertices);
   if (std::optional<std::string> outside = outside_parts(sites, domain)) report.warnings.push_back(*std::move(outside));
   Beginning start{{.reason = "there is no previous mesh"}, {}};
   if (previous) {
@@ -146,13 +145,12 @@ GenerateResult generate(const Domain& user_domain, const MetricField& field, con
                         : mesh_from_scratch(domain, field, std::move(scratch), relaxation);
   } else {
     require_few_vertices(start.choice.expected_vertices, options.max_vertices);
-    Mesh mesh = refined(*std::move(start.fit), domain, start.choice.refinements);
-    relaxed = by_thesis
-                  ? mesh_by_thesis(domain, field, mesh, options, report)
-                  : mesh_from_previous(domain, field,
-                                       in_local_order(overlooking_nothing(std::move(mesh), domain, field)), relaxation);
+    Mesh mesh = overlooking_nothing(refined(*std::move(start.fit), domain, start.choice.refinements), domain, field);
+    relaxed = by_thesis ? mesh_by_thesis(domain, field, mesh, options, report)
+                        : mesh_from_previous(domain, field, in_local_order(std::move(mesh)), relaxation);
   }
-  return finished(std::move(relaxed), domain, std::move(report), options.max_vertices);
+  require_within_limit(relaxed.mesh, options.max_vertices);
+  return finished(std::move(relaxed), domain, std::move(report));
 }
 
 }  // namespace parmesan

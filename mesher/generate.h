@@ -71,8 +71,8 @@ struct GenerateResult {
 /// Vertices on curved segments are on the curves.
 ///
 /// Errors: GeometryError for a domain that clean() refuses; LimitError when the integral of the
-/// metric asks for more than max_vertices, or than 178 956 970, since edges have 32-bit numbers; MeshingError when no
-/// valid mesh could be made. Cost: O(n).
+/// metric asks for more than max_vertices, or the mesh has more, or than 178 956 970, since edges have 32-bit numbers;
+/// MeshingError when no valid mesh could be made. Cost: O(n).
 GenerateResult generate(const Domain& domain, const MetricField& field, const GenerateOptions& options = {},
                         std::optional<Mesh> previous = std::nullopt);
 

@@ -31,6 +31,16 @@ void refuse_clockwise_triangles(const Mesh& mesh) {
   }
 }
 
+GeometryInput read_other_geometry(const std::string& path) {
+  if (is_domain_file_name(path)) return {read_geometry(path), std::nullopt};
+  Mesh mesh = read_mesh_file(path);
+  if (mesh.triangles.empty()) return {geometry_of(std::move(mesh)), std::nullopt};
+  refuse_clockwise_triangles(mesh);
+  cover_boundary(mesh);
+  Domain domain = domain_of(mesh);
+  return {std::move(domain), std::move(mesh)};
+}
+
 }  // namespace
 
 GeometryInput read_geometry_input(const std::string& path, Crossings crossings, double merge_tolerance) {
@@ -39,13 +49,9 @@ GeometryInput read_geometry_input(const std::string& path, Crossings crossings, 
     throw FileError(
         path, 0,
         "no geometry is read from this suffix; known are .poly .dat .geojson .json .mesh .meshb .msh .node .ele");
-  if (is_domain_file_name(path)) return {read_geometry(path), std::nullopt};
-  Mesh mesh = read_mesh_file(path);
-  if (mesh.triangles.empty()) return {geometry_of(std::move(mesh)), std::nullopt};
-  refuse_clockwise_triangles(mesh);
-  cover_boundary(mesh);
-  Domain domain = domain_of(mesh);
-  return {std::move(domain), std::move(mesh)};
+  GeometryInput input = read_other_geometry(path);
+  input.domain.merge_tolerance = merge_tolerance;
+  return input;
 }
 
 bool is_any_domain_file_name(const std::string& path) {

@@ -15,8 +15,9 @@ struct GeometryInput {
 };
 
 /// Reads what is to be meshed from any file that is understood: those of read_geometry, and GeoJSON (.geojson, .json).
-/// crossings, merge_tolerance: of features that have to be told apart (GeoJSON); others are left to clean().
-/// Errors: as read_geometry, read_geojson and read_valid_mesh.
+/// crossings: of features that have to be told apart (GeoJSON); others are left to clean(). merge_tolerance: the
+/// domain's, unless features had to be told apart, whose rings are merged by it at once. Errors: as read_geometry,
+/// read_geojson and read_valid_mesh.
 GeometryInput read_geometry_input(const std::string& path, Crossings crossings = Crossings::Refuse,
                                   double merge_tolerance = 0.0);
 

@@ -214,9 +214,11 @@ Domain parse_geojson(const std::string& text, const std::string& name, Crossings
   if (merge_tolerance > 0.0) merged = merge_rings(features, merge_tolerance);
   Domain domain = features.size() == 1 ? domain_of_one(given.front(), features, crossings)
                                        : domain_of_features(features, crossings);
-  domain.merge_tolerance = merge_tolerance;
-  // Rings as they are given are yet to be merged, by clean(), which tells of it.
-  if (domain.inside == Inside::HoleSeeds) domain.notes = std::move(merged);
+  if (domain.inside == Inside::HoleSeeds) {
+    domain.notes = std::move(merged);
+  } else {
+    domain.merge_tolerance = merge_tolerance;  // rings as they are given are yet to be merged, by clean()
+  }
   return domain;
 }
 

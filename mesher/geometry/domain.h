@@ -58,7 +58,7 @@ struct Domain {
   std::vector<RegionSeed> regions;
   std::vector<int> required_points;  // that meshes are to mark as such; all points are kept
   Inside inside = Inside::HoleSeeds;
-  double merge_tolerance = 0.0;  // points nearer than this become one; L
+  double merge_tolerance = 0.0;  // points nearer than this become one, segments bend to them; L
   LabelNames label_names;
   LabelNames region_names;
   int first_number = 0;            // that the user's file gives its points and segments, for messages

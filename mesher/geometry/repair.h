@@ -71,14 +71,19 @@ struct StraightSegments {
 void check_input(const Domain& domain);
 
 /// Equal points, and those nearer than the domain's tolerance, become the first of them, straight segments are bent to
-/// points within the tolerance, and points near the end of a
-/// curve to rounding become that; the order of the others stays. The domain's notes become the first repairs.
+/// points within the tolerance, and points near the end of a curve to rounding become that; the order of the others
+/// stays. The domain's notes become the first repairs.
 /// Errors: GeometryError for a seed of a hole or region that is nearer than the tolerance to a straight segment, once
 /// points are merged or segments bent by it.
 DomainRepair merge_points(const Domain& domain);
 
-/// Replaces each straight segment that has points nearer than the tolerance beside it by the chain through them.
+/// Replaces each straight segment that has points nearer than the tolerance beside it by the chain through them, but
+/// for required ones. Of two that are beside one place of it the nearer counts. Cost: O(n log n) expected.
 DomainRepair bend_to_near_points(DomainRepair repair, double tolerance);
+
+/// Where the inside is what an odd number of segments separates from infinity, two that have come to lie on one another
+/// separate nothing, and both go. given: the domain that is under repair.
+DomainRepair drop_joined_pairs(DomainRepair repair, const Domain& given);
 
 /// Splits curved segments in the middle if they end where they begin, at kinks, and at points on them.
 /// Errors: GeometryError for a segment whose curve does not begin and end at its points, and for a seed on a curve.

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +14,7 @@
 #include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
 #include "mesher/number_text.h"
+#include "mesher/parallel.h"
 
 namespace parmesan {
 namespace {
@@ -19,33 +23,62 @@ struct PointBeside {
   int segment = 0;
   int point = 0;
   double distance = 0.0;
-  double along = 0.0;  // where beside the segment: grows from one end to the other
+  double along = 0.0;  // the segment, from one end to where the point is beside it; L
 };
 
-/// Is p beside a straight segment and not on it? A bend there makes two that are shorter, so bends come to an end.
+/// Is p beside a straight segment that may be bent, and not on it?
 bool is_beside(const Domain& domain, const Segment& s, const Point& p) {
   const Point& a = domain.points[at(s.a)];
   const Point& b = domain.points[at(s.b)];
-  const double whole = squared_norm(b - a);
-  return s.is_straight() && squared_norm(p - a) < whole && squared_norm(p - b) < whole && orient2d(a, b, p) != 0.0;
+  const bool is_between = dot(p - a, b - a) > 0.0 && dot(p - b, a - b) > 0.0;
+  return s.is_straight() && !s.required && is_between && orient2d(a, b, p) != 0.0;
 }
 
-/// Of each point the nearest segment that it is beside, where one is nearer than the tolerance; in the order of the
-/// segments and along them.
+/// All that are nearer than the tolerance.
 std::vector<PointBeside> points_beside(const Domain& domain, double tolerance) {
   const SegmentTree tree(domain);
-  std::vector<PointBeside> found;
-  for (int v = 0; v < static_cast<int>(domain.points.size()); ++v) {
+  const auto add_those_of = [&](int v, std::vector<PointBeside>& found) {
     const Point& p = domain.points[at(v)];
-    const auto accepts = [&](int s) { return is_beside(domain, domain.segments[at(s)], p); };
-    const NearestSegment nearest = tree.nearest(p, accepts, tolerance);
-    if (nearest.segment < 0) continue;
-    const Segment& s = domain.segments[at(nearest.segment)];
-    const Point& a = domain.points[at(s.a)];
-    found.push_back({nearest.segment, v, nearest.distance, dot(p - a, domain.points[at(s.b)] - a)});
+    const auto first = static_cast<std::ptrdiff_t>(found.size());
+    const auto accepts = [&](int s) {
+      const auto is_this = [s](const PointBeside& one) { return one.segment == s; };
+      return is_beside(domain, domain.segments[at(s)], p) && std::none_of(found.begin() + first, found.end(), is_this);
+    };
+    for (;;) {
+      const NearestSegment nearest = tree.nearest(p, accepts, tolerance);
+      if (nearest.segment < 0) break;
+      const Segment& s = domain.segments[at(nearest.segment)];
+      found.push_back({nearest.segment, v, nearest.distance, norm(nearest.place - domain.points[at(s.a)])});
+    }
+  };
+  return collect<PointBeside>(domain.points.size(), [&](std::size_t first, std::size_t last, auto& found) {
+    for (std::size_t v = first; v < last; ++v) add_those_of(static_cast<int>(v), found);
+  });
+}
+
+/// Those that a segment is bent to, in the order of the segments and along them: the nearest first, and others where
+/// they are half the tolerance farther along, so that it does not turn back.
+std::vector<PointBeside> points_on_bends(const Domain& domain, double tolerance) {
+  std::vector<PointBeside> all = points_beside(domain, tolerance);
+  std::ranges::sort(all, {}, [](const PointBeside& one) { return std::pair(one.segment, one.distance); });
+  std::vector<PointBeside> chosen;
+  std::set<double> taken;
+  int segment = -1;
+  for (const PointBeside& one : all) {
+    if (one.segment != segment) {
+      segment = one.segment;
+      const Segment& s = domain.segments[at(segment)];
+      taken = {0.0, norm(domain.points[at(s.b)] - domain.points[at(s.a)])};
+    }
+    const auto next = taken.upper_bound(one.along);
+    const bool is_apart =
+        next != taken.end() && std::min(*next - one.along, one.along - *std::prev(next)) >= 0.5 * tolerance;
+    if (!is_apart) continue;
+    taken.insert(next, one.along);
+    chosen.push_back(one);
   }
-  std::ranges::sort(found, {}, [](const PointBeside& one) { return std::pair(one.segment, one.along); });
-  return found;
+  std::ranges::sort(chosen, {}, [](const PointBeside& one) { return std::pair(one.segment, one.along); });
+  return chosen;
 }
 
 /// Replaces segments by the chains through the points beside them.
@@ -61,7 +94,8 @@ void bend(DomainRepair& repair, const std::vector<PointBeside>& beside, std::vec
       from = to;
     };
     for (; next != beside.end() && at(next->segment) == s; ++next) {
-      notes.push_back(number_text(repair.domain, sources[s].number) + " to point " + repair.point_text(next->point));
+      notes.push_back("segment " + number_text(repair.domain, sources[s].number) + " to point " +
+                      repair.point_text(next->point));
       add_piece(next->point);
     }
     add_piece(segments[s].b);
@@ -92,14 +126,42 @@ DomainRepair note_close_points(DomainRepair repair) {
 }
 
 DomainRepair bend_to_near_points(DomainRepair repair, double tolerance) {
-  constexpr int max_rounds = 20;  // a bent segment may come near other points
   std::vector<std::string> notes;
-  for (int round = 0; round < max_rounds; ++round) {
-    const std::vector<PointBeside> beside = points_beside(repair.domain, tolerance);
-    if (beside.empty()) break;
-    bend(repair, beside, notes);
+  bend(repair, points_on_bends(repair.domain, tolerance), notes);
+  repair.note("by the tolerance " + text(tolerance) + " made", "bend", notes);
+  return repair;
+}
+
+DomainRepair drop_joined_pairs(DomainRepair repair, const Domain& given) {
+  if (given.inside != Inside::EvenOdd) return repair;
+  using Ends = std::pair<Point, Point>;
+  const auto ends_of = [](const Domain& domain, const Segment& s) {
+    const Point& a = domain.points[at(s.a)];
+    const Point& b = domain.points[at(s.b)];
+    return comes_before(a, b) ? Ends{a, b} : Ends{b, a};
+  };
+  const auto before = [](const Ends& s, const Ends& t) {
+    return s.first != t.first ? comes_before(s.first, t.first) : comes_before(s.second, t.second);
+  };
+  // Those given twice count once.
+  std::map<Ends, std::set<Ends, decltype(before)>, decltype(before)> given_at(before);
+  const auto is_straight = [&](const Segment& s) { return s.is_straight() && s.a != s.b; };
+  for (std::size_t s = 0; s < repair.domain.segments.size(); ++s)
+    if (const Segment& segment = repair.domain.segments[s]; is_straight(segment))
+      given_at.try_emplace(ends_of(repair.domain, segment), before)
+          .first->second.insert(ends_of(given, given.segments[at(repair.source_segment(static_cast<int>(s)))]));
+  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
+  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
+  std::vector<std::string> dropped;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    if (is_straight(segments[s]) && given_at.at(ends_of(repair.domain, segments[s])).size() % 2 == 0) {
+      dropped.push_back(number_text(repair.domain, sources[s].number));
+      continue;
+    }
+    repair.domain.segments.push_back(segments[s]);
+    repair.segment_sources.push_back(sources[s]);
   }
-  repair.note("by the tolerance " + text(tolerance) + " bent segments to", "near point", notes);
+  repair.note("dropped, as the same is on both sides,", "joined segment", dropped);
   return repair;
 }
 

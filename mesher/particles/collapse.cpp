@@ -1,11 +1,28 @@
 #include "mesher/particles/collapse.h"
 
+#include <algorithm>
+
+#include "mesher/particles/triangle_share.h"
+
 namespace parmesan {
+
+namespace {
+
+// Those on short sides are thin whatever happens.
+double smallest_share(const ParticleSystem& particles, const Star& star) {
+  double smallest = 1.0;
+  for (std::size_t i = 0; i < star.size(); ++i)
+    smallest = std::min(smallest, share_left(particles, star.spoke(i).edge));
+  return smallest;
+}
+
+}  // namespace
 
 bool can_collapse(const ParticleSystem& particles, const Star& star, VertexId v, EdgeId e) {
   constexpr double min_quality_after = 0.1;  // of the triangles that it stretches
   const double after = star.quality_after_collapse(star.index_of(e));
   if (after >= min_quality_after) return true;
+  if (after > 0.0 && after >= min_quality_after * smallest_share(particles, star)) return true;
   return after > 0.0 && after >= star.min_quality(particles.mesh().point(v), particles.metric(v));
 }
 

@@ -146,6 +146,11 @@ std::vector<char> overlooked(const Mesh& mesh, const MetricField& field, const s
   return result;
 }
 
+bool is_at_corner(const MeshPlace& place) {
+  constexpr double rounding = 1e-12;
+  return std::ranges::max(place.weights) > 1.0 - rounding;
+}
+
 }  // namespace
 
 double OverlookedParts::complexity_within(const Mesh& mesh) const {
@@ -173,7 +178,7 @@ Mesh OverlookedParts::with_sites(Mesh mesh, double scale, double times_seen) con
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!places[i] || on_edges.take(samples[i].place, *places[i])) continue;
     const std::size_t t = places[i]->triangle;
-    if (!is_overlooked[t]) continue;
+    if (!is_overlooked[t] || is_at_corner(*places[i])) continue;
     passed[t] += samples[i].complexity;
     if (passed[t] < cell) continue;
     passed[t] = std::fmod(passed[t], cell);

@@ -47,7 +47,6 @@ std::vector<std::string> found_again(const Domain& domain) {
 }
 
 Domain repaired(Domain domain, const RepairOptions& options) {
-  if (options.merge_tolerance > 0.0) domain.merge_tolerance = options.merge_tolerance;
   if (!options.split_crossings && domain.merge_tolerance == 0.0) return domain;
   CleanDomain result = clean(domain, options.split_crossings ? Crossings::Split : Crossings::Refuse);
   const std::vector<std::string> again = found_again(result.domain);

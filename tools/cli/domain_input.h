@@ -12,7 +12,7 @@ namespace parmesan {
 /// What is to be mended in a geometry instead of refusing or keeping it.
 struct RepairOptions {
   bool split_crossings = false;
-  double merge_tolerance = 0.0;  // points nearer than this become one; 0: what the geometry itself asks for
+  double merge_tolerance = 0.0;  // as Domain::merge_tolerance; 0: what the geometry itself asks for
 };
 
 /// Adds --repair and --merge-tolerance to a subcommand that reads a geometry. options must outlive it.

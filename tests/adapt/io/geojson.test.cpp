@@ -146,7 +146,7 @@ TEST_CASE("A merge tolerance makes one border of rings a little apart, as if the
     REQUIRE(lengths.size() == 3);
     for (const auto& [name, length] : std::map<std::string, double>{{"a", 3.0}, {"b", 3.0}, {"a|b", 1.0}})
       CHECK(lengths.at(name) == Approx(length).epsilon(1e-6));
-    CHECK_THAT(delaunay_mesh(domain).repairs.at(1), Catch::Contains("bent segments to 1 near point"));
+    CHECK_THAT(delaunay_mesh(domain).repairs.at(1), Catch::Contains("made 1 bend"));
   }
   SECTION("of one") {
     const Domain domain = merged(R"({"type":"MultiPolygon","coordinates":[[)" + left + "],[" + right + "]]}");

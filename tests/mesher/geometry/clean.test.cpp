@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/delaunay_mesh.h"
 #include "mesher/errors.h"
+#include "mesher/index.h"
 #include "tests/support/curved_domains.h"
 
 using namespace parmesan;
@@ -165,8 +167,8 @@ TEST_CASE("clean notes a point beside a segment, and bends segments to points ne
   CHECK_THAT(all_repairs(clean(seam)), Contains("kept point 2 beside segment 8") || Contains("kept point 9 beside"));
   seam.merge_tolerance = 1e-8;
   const CleanDomain cleaned = clean(seam);
-  CHECK_THAT(all_repairs(cleaned), Contains("by the tolerance 1e-08 bent segments to 2 near points: 1 to point 9, "
-                                            "8 to point 2") &&
+  CHECK_THAT(all_repairs(cleaned), Contains("by the tolerance 1e-08 made 2 bends: segment 1 to point 9, "
+                                            "segment 8 to point 2") &&
                                        !Contains("kept point"));
   // One seam of three edges, by the first of the two: 5 + 5 segments and two cut in two, three of which were double.
   CHECK(cleaned.domain.points.size() == 8);
@@ -177,6 +179,47 @@ TEST_CASE("clean notes a point beside a segment, and bends segments to points ne
   CHECK(edges_at(2) == 2);
   CHECK(edges_at(1) == 3);
   CHECK(ends_of(clean(cleaned.domain).domain) == ends_of(cleaned.domain));
+}
+
+TEST_CASE("no segment is bent farther than the tolerance, whatever lies beside what", "[mesher][domain]") {
+  constexpr double tolerance = 1.0;
+  // A flight of points from the corner of a wedge that a side could climb, one by one.
+  Domain wedge = closed_polygon({{0, 0}, {100, 0}, {100, 60}});
+  wedge.segments.pop_back();
+  for (int i = 1; i < 50; ++i) wedge.points.push_back({2.0 * (50 - i), 1.2 * (50 - i)});
+  for (int i = 2; i < 51; ++i) wedge.segments.push_back({i, i + 1, 3});
+  wedge.segments.push_back({51, 0, 3});
+  wedge.merge_tolerance = tolerance;
+  const Domain bent = clean(wedge).domain;
+  for (const Segment& s : bent.segments)
+    if (s.label == 1) CHECK(std::max(bent.points[at(s.a)].y, bent.points[at(s.b)].y) < tolerance);
+
+  Domain box = closed_polygon({{0, 0}, {10, 0}, {10, 5}, {0, 5}});
+  box.points.insert(box.points.end(), {{2, 2.5}, {8, 2.5}, {5, 2.6}});
+  box.segments.push_back({4, 5, 7, 8});
+  box.merge_tolerance = 0.2;
+  CHECK(ends_of(clean(box).domain) == Ends{{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 0, 4}, {4, 6, 7}, {6, 5, 7}});
+  for (const Segment& s : clean(box).domain.segments) CHECK(s.label_right.has_value() == (s.label == 7));
+  box.segments.back().label_right.reset();
+  box.segments.back().required = true;
+  CHECK(ends_of(clean(box).domain).back() == std::array<int, 3>{4, 5, 7});
+  box.segments.back().required = false;
+  box.regions = {{{5, 2.55}, 3}};  // on which side of the segment?
+  CHECK_THAT(error_of(box), Contains("the point of a region at (5, 2.55)"));
+}
+
+TEST_CASE("sides that come to lie on one another tell nothing where an odd number tells the inside",
+          "[mesher][domain]") {
+  for (const double gap : {0.001, 0.0}) {
+    Domain domain = closed_polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 8 + 0.001}, {0, 2}});
+    if (gap > 0.0) domain = closed_polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
+    const int first = static_cast<int>(domain.points.size());
+    domain.points.insert(domain.points.end(), {{0.001, 2}, {4, 2}, {4, 8}, {0.001, 8}});
+    for (int i = 0; i < 4; ++i) domain.segments.push_back({first + i, first + (i + 1) % 4, 9});
+    domain.inside = Inside::EvenOdd;
+    domain.merge_tolerance = 0.01;
+    CHECK(area(delaunay_mesh(domain).mesh) == Approx(76.0).epsilon(1e-3));
+  }
 }
 
 TEST_CASE("bending to near points ends, whatever lies beside what", "[mesher][domain]") {
