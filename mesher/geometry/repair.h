@@ -77,9 +77,10 @@ void check_input(const Domain& domain);
 /// points are merged or segments bent by it.
 DomainRepair merge_points(const Domain& domain);
 
-/// Replaces each straight segment that has points nearer than the tolerance beside it by the chain through them, but
-/// for required ones. Of two that are beside one place of it the nearer counts. Cost: O(n log n) expected.
-DomainRepair bend_to_near_points(DomainRepair repair, double tolerance);
+/// Replaces each straight segment by the chain through the points beside it that are nearer than the tolerance to it as
+/// it was given, but for required ones. Of two that are beside one place of it the nearer counts. given: the domain
+/// that is under repair, whose segments are all there yet. Cost: O(n log n) expected.
+DomainRepair bend_to_near_points(DomainRepair repair, const Domain& given);
 
 /// Where the inside is what an odd number of segments separates from infinity, two that have come to lie on one another
 /// separate nothing, and both go. given: the domain that is under repair.

@@ -104,11 +104,11 @@ DomainRepair merge_points(const Domain& domain) {
   const std::string near = "by the tolerance " + text(domain.merge_tolerance) + " merged";
   repair.note(by_tolerance ? near : "merged", by_tolerance ? "point" : "duplicate point", merged);
   if (!by_tolerance) return repair;
-  const Domain straight = repair.domain;
-  repair = bend_to_near_points(std::move(repair), domain.merge_tolerance);
-  const bool any_bent = repair.domain.segments.size() > straight.segments.size();
+  const std::size_t num_segments = repair.domain.segments.size();
+  repair = bend_to_near_points(std::move(repair), domain);
+  const bool any_bent = repair.domain.segments.size() > num_segments;
   if (any_bent || !merged.empty()) refuse_seeds_near_segments(repair.domain, domain.merge_tolerance);
-  if (any_bent) refuse_seeds_near_segments(straight, domain.merge_tolerance);  // what lies between is as near
+  if (any_bent) refuse_seeds_near_segments(domain, domain.merge_tolerance);  // what lies between is as near
   return drop_joined_pairs(std::move(repair), domain);
 }
 

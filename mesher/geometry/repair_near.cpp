@@ -26,7 +26,7 @@ struct PointBeside {
   double along = 0.0;  // the segment, from one end to where the point is beside it; L
 };
 
-/// Is p beside a straight segment that may be bent, and not on it?
+/// Is the point beside a straight segment that may be bent, and not on it?
 bool is_beside(const Domain& domain, const Segment& s, const Point& p) {
   const Point& a = domain.points[at(s.a)];
   const Point& b = domain.points[at(s.b)];
@@ -34,9 +34,9 @@ bool is_beside(const Domain& domain, const Segment& s, const Point& p) {
   return s.is_straight() && !s.required && is_between && orient2d(a, b, p) != 0.0;
 }
 
-/// All that are nearer than the tolerance.
-std::vector<PointBeside> points_beside(const Domain& domain, double tolerance) {
-  const SegmentTree tree(domain);
+/// All that are nearer than the tolerance to the segment as it was given.
+std::vector<PointBeside> points_beside(const Domain& domain, const Domain& given, double tolerance) {
+  const SegmentTree tree(given);
   const auto add_those_of = [&](int v, std::vector<PointBeside>& found) {
     const Point& p = domain.points[at(v)];
     const auto first = static_cast<std::ptrdiff_t>(found.size());
@@ -48,7 +48,9 @@ std::vector<PointBeside> points_beside(const Domain& domain, double tolerance) {
       const NearestSegment nearest = tree.nearest(p, accepts, tolerance);
       if (nearest.segment < 0) break;
       const Segment& s = domain.segments[at(nearest.segment)];
-      found.push_back({nearest.segment, v, nearest.distance, norm(nearest.place - domain.points[at(s.a)])});
+      const Point& a = domain.points[at(s.a)];
+      const Vector d = domain.points[at(s.b)] - a;
+      found.push_back({nearest.segment, v, nearest.distance, dot(p - a, d) / norm(d)});
     }
   };
   return collect<PointBeside>(domain.points.size(), [&](std::size_t first, std::size_t last, auto& found) {
@@ -56,10 +58,12 @@ std::vector<PointBeside> points_beside(const Domain& domain, double tolerance) {
   });
 }
 
-/// Those that a segment is bent to, in the order of the segments and along them: the nearest first, and others where
-/// they are half the tolerance farther along, so that it does not turn back.
-std::vector<PointBeside> points_on_bends(const Domain& domain, double tolerance) {
-  std::vector<PointBeside> all = points_beside(domain, tolerance);
+/// Those that a segment is bent to, in the order of the segments and along them, so that it does not turn back: of
+/// those beside one place of it the nearest.
+std::vector<PointBeside> points_on_bends(const Domain& domain, const Domain& given) {
+  const double tolerance = given.merge_tolerance;
+  const double shortest = 1e-3 * tolerance;  // along the segment
+  std::vector<PointBeside> all = points_beside(domain, given, tolerance);
   std::ranges::sort(all, {}, [](const PointBeside& one) { return std::pair(one.segment, one.distance); });
   std::vector<PointBeside> chosen;
   std::set<double> taken;
@@ -71,8 +75,7 @@ std::vector<PointBeside> points_on_bends(const Domain& domain, double tolerance)
       taken = {0.0, norm(domain.points[at(s.b)] - domain.points[at(s.a)])};
     }
     const auto next = taken.upper_bound(one.along);
-    const bool is_apart =
-        next != taken.end() && std::min(*next - one.along, one.along - *std::prev(next)) >= 0.5 * tolerance;
+    const bool is_apart = next != taken.end() && std::min(*next - one.along, one.along - *std::prev(next)) >= shortest;
     if (!is_apart) continue;
     taken.insert(next, one.along);
     chosen.push_back(one);
@@ -112,7 +115,7 @@ DomainRepair note_close_points(DomainRepair repair) {
   const ClosestPair pair = closest_pair(repair.domain.points);
   double distance = pair.distance;
   std::string what = "points " + repair.point_text(pair.first) + " and " + repair.point_text(pair.second) + " apart";
-  const std::vector<PointBeside> beside = points_beside(repair.domain, std::min(close, distance));
+  const std::vector<PointBeside> beside = points_beside(repair.domain, repair.domain, std::min(close, distance));
   if (const auto nearest = std::ranges::min_element(beside, {}, &PointBeside::distance); nearest != beside.end()) {
     distance = nearest->distance;
     what = "point " + repair.point_text(nearest->point) + " beside segment " + repair.segment_text(nearest->segment);
@@ -125,10 +128,10 @@ DomainRepair note_close_points(DomainRepair repair) {
   return repair;
 }
 
-DomainRepair bend_to_near_points(DomainRepair repair, double tolerance) {
+DomainRepair bend_to_near_points(DomainRepair repair, const Domain& given) {
   std::vector<std::string> notes;
-  bend(repair, points_on_bends(repair.domain, tolerance), notes);
-  repair.note("by the tolerance " + text(tolerance) + " made", "bend", notes);
+  bend(repair, points_on_bends(repair.domain, given), notes);
+  repair.note("by the tolerance " + text(given.merge_tolerance) + " made", "bend", notes);
   return repair;
 }
 
