@@ -88,12 +88,13 @@ SecondDerivatives of_discrete(const Case& input, const Iterate& iterate, const S
 
 SecondDerivatives second_derivatives(const Case& input, const Iterate& iterate) {
   if (input.given) return of_given(input);
-  const SmoothParts parts(iterate.mesh, input.problem, labelled_sides(iterate.mesh));
+  const std::vector<Side> sides = labelled_sides(iterate.mesh);
+  const SmoothParts parts(iterate.mesh, input.problem, sides);
   SecondDerivatives result =
       input.metric.exact_hessian && input.exact ? of_exact(input, iterate) : of_discrete(input, iterate, parts);
   if (input.goal) {
     const GoalFunctional goal = goal_functional(*input.goal, iterate.mesh);
-    const SmoothParts dual_parts(iterate.mesh, input.problem, labelled_sides(iterate.mesh), &goal);
+    const SmoothParts dual_parts(iterate.mesh, input.problem, sides, &goal);
     const std::vector<Hessian> dual = hessians_on(dual_parts, iterate.dual, input.metric.recovery);
     result.goal = goal_tensors(iterate.mesh, input.problem, result.absolute,
                                PartMeans(dual_parts).of(absolute_hessians(dual_parts.mesh(), dual)));

@@ -148,8 +148,10 @@ bool has_shared_sides(const Mesh& mesh) {
 }
 
 /// The rings with points nearer than the tolerance as one, the first of them, and sides bent to points that are as
-/// near, before anything is told by them: what then runs together is a border. Returns what was merged and bent.
+/// near, before anything is told by them: what then runs together is a border. Returns what was merged and bent;
+/// nothing is without a tolerance.
 std::vector<std::string> merge_rings(std::vector<GeoFeature>& features, double tolerance) {
+  if (tolerance == 0.0) return {};
   Domain rings;
   rings.merge_tolerance = tolerance;
   int number = 0;
@@ -180,19 +182,27 @@ Domain domain_of_parts(Mesh mesh) {
   return domain_of(mesh);
 }
 
-/// Where rings do not run together, the domain that has them as they are given.
-Domain domain_of_one(const GeoFeature& given, const std::vector<GeoFeature>& features, Crossings crossings) {
+/// Where rings do not run together, the domain that has them as they are given, yet to be merged, by clean().
+Domain domain_of_one(const GeoFeature& given, Crossings crossings, double merge_tolerance) {
+  std::vector<GeoFeature> features{given};
+  std::vector<std::string> merged = merge_rings(features, merge_tolerance);
   const Domain rings = domain_of_feature(features.front());
   Mesh mesh = parts_of_features(rings, features, crossings);
-  if (!has_shared_sides(mesh)) return domain_of_feature(given);
+  if (!has_shared_sides(mesh)) {
+    Domain domain = domain_of_feature(given);
+    domain.merge_tolerance = merge_tolerance;
+    return domain;
+  }
   Domain domain = domain_of_parts(std::move(mesh));
   domain.regions.clear();
   domain.region_names = rings.region_names;
+  domain.notes = std::move(merged);
   return domain;
 }
 
 /// All the rings enclose is triangulated; its parts then are in a feature or in none.
-Domain domain_of_features(const std::vector<GeoFeature>& features, Crossings crossings) {
+Domain domain_of_features(std::vector<GeoFeature> features, Crossings crossings, double merge_tolerance) {
+  std::vector<std::string> merged = merge_rings(features, merge_tolerance);
   Domain all;
   for (std::size_t i = 0; i < features.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
@@ -202,24 +212,17 @@ Domain domain_of_features(const std::vector<GeoFeature>& features, Crossings cro
     }
   }
   all.region_names = all.label_names;
-  return domain_of_parts(parts_of_features(std::move(all), features, crossings));
+  Domain domain = domain_of_parts(parts_of_features(std::move(all), features, crossings));
+  domain.notes = std::move(merged);
+  return domain;
 }
 
 }  // namespace
 
 Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings, double merge_tolerance) {
-  const std::vector<GeoFeature> given = parse_geojson_features(text, name);
-  std::vector<GeoFeature> features = given;
-  std::vector<std::string> merged;
-  if (merge_tolerance > 0.0) merged = merge_rings(features, merge_tolerance);
-  Domain domain = features.size() == 1 ? domain_of_one(given.front(), features, crossings)
-                                       : domain_of_features(features, crossings);
-  if (domain.inside == Inside::HoleSeeds) {
-    domain.notes = std::move(merged);
-  } else {
-    domain.merge_tolerance = merge_tolerance;  // rings as they are given are yet to be merged, by clean()
-  }
-  return domain;
+  std::vector<GeoFeature> features = parse_geojson_features(text, name);
+  return features.size() == 1 ? domain_of_one(features.front(), crossings, merge_tolerance)
+                              : domain_of_features(std::move(features), crossings, merge_tolerance);
 }
 
 Domain read_geojson(const std::string& path, Crossings crossings, double merge_tolerance) {

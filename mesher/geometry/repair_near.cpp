@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -132,39 +131,6 @@ DomainRepair bend_to_near_points(DomainRepair repair, const Domain& given) {
   std::vector<std::string> notes;
   bend(repair, points_on_bends(repair.domain, given), notes);
   repair.note("by the tolerance " + text(given.merge_tolerance) + " made", "bend", notes);
-  return repair;
-}
-
-DomainRepair drop_joined_pairs(DomainRepair repair, const Domain& given) {
-  if (given.inside != Inside::EvenOdd) return repair;
-  using Ends = std::pair<Point, Point>;
-  const auto ends_of = [](const Domain& domain, const Segment& s) {
-    const Point& a = domain.points[at(s.a)];
-    const Point& b = domain.points[at(s.b)];
-    return comes_before(a, b) ? Ends{a, b} : Ends{b, a};
-  };
-  const auto before = [](const Ends& s, const Ends& t) {
-    return s.first != t.first ? comes_before(s.first, t.first) : comes_before(s.second, t.second);
-  };
-  // Those given twice count once.
-  std::map<Ends, std::set<Ends, decltype(before)>, decltype(before)> given_at(before);
-  const auto is_straight = [&](const Segment& s) { return s.is_straight() && s.a != s.b; };
-  for (std::size_t s = 0; s < repair.domain.segments.size(); ++s)
-    if (const Segment& segment = repair.domain.segments[s]; is_straight(segment))
-      given_at.try_emplace(ends_of(repair.domain, segment), before)
-          .first->second.insert(ends_of(given, given.segments[at(repair.source_segment(static_cast<int>(s)))]));
-  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
-  std::vector<std::string> dropped;
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    if (is_straight(segments[s]) && given_at.at(ends_of(repair.domain, segments[s])).size() % 2 == 0) {
-      dropped.push_back(number_text(repair.domain, sources[s].number));
-      continue;
-    }
-    repair.domain.segments.push_back(segments[s]);
-    repair.segment_sources.push_back(sources[s]);
-  }
-  repair.note("dropped, as the same is on both sides,", "joined segment", dropped);
   return repair;
 }
 

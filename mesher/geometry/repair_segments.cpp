@@ -23,6 +23,16 @@ std::vector<int> first_between_same_points(const std::vector<Segment>& segments)
   return first_with_equal(segments.size(), ends);
 }
 
+/// For each segment the lowest index of one between the same places, whose points may have other numbers.
+std::vector<int> first_between_same_places(const Domain& domain) {
+  const auto ends = [&domain](int s) {
+    const Segment& segment = domain.segments[at(s)];
+    const auto [a, b] = std::minmax(domain.points[at(segment.a)], domain.points[at(segment.b)], comes_before);
+    return std::tuple(a.x, a.y, b.x, b.y);
+  };
+  return first_with_equal(domain.segments.size(), ends);
+}
+
 /// seed: counted through the hole seeds and then the region seeds.
 [[noreturn]] void refuse_seed(const Domain& domain, int seed, int segment) {
   const int num_holes = static_cast<int>(domain.holes.size());
@@ -119,6 +129,30 @@ DomainRepair drop_repeated_segments(DomainRepair repair) {
   }
   repair.note("dropped", "zero-length segment", points);
   repair.note("dropped", "repeated segment", repeated);
+  return repair;
+}
+
+DomainRepair drop_joined_pairs(DomainRepair repair, const Domain& given) {
+  if (given.inside != Inside::EvenOdd) return repair;
+  const std::vector<int> first = first_between_same_points(repair.domain.segments);
+  const std::vector<int> first_given = first_between_same_places(given);  // those given twice count once
+  const auto kind = [&](int s) { return std::pair(first[at(s)], first_given[at(repair.source_segment(s))]); };
+  const std::vector<int> first_of_kind = first_with_equal(first.size(), kind);
+  std::vector<int> num_kinds(first.size(), 0);
+  for (std::size_t s = 0; s < first.size(); ++s)
+    if (at(first_of_kind[s]) == s) ++num_kinds[at(first[s])];
+  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
+  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
+  std::vector<std::string> dropped;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    if (segments[s].a != segments[s].b && num_kinds[at(first[s])] % 2 == 0) {
+      dropped.push_back(number_text(repair.domain, sources[s].number));
+      continue;
+    }
+    repair.domain.segments.push_back(segments[s]);
+    repair.segment_sources.push_back(sources[s]);
+  }
+  repair.note("dropped, as the same is on both sides,", "joined segment", dropped);
   return repair;
 }
 

@@ -22,8 +22,8 @@ bool can_collapse(const ParticleSystem& particles, const Star& star, VertexId v,
   constexpr double min_quality_after = 0.1;  // of the triangles that it stretches
   const double after = star.quality_after_collapse(star.index_of(e));
   if (after >= min_quality_after) return true;
-  if (after > 0.0 && after >= min_quality_after * smallest_share(particles, star)) return true;
-  return after > 0.0 && after >= star.min_quality(particles.mesh().point(v), particles.metric(v));
+  return after > 0.0 && (after >= min_quality_after * smallest_share(particles, star) ||
+                         after >= star.min_quality(particles.mesh().point(v), particles.metric(v)));
 }
 
 bool keeps_constraints_apart(const Triangulation& mesh, EdgeId e) {
