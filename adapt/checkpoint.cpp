@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Bytes in another order or another layout of the fields have another number here.
-constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'0b;
+constexpr std::uint64_t format = 0x50'4d'53'4e'00'00'00'0c;
 constexpr std::array names{"even.state", "odd.state"};  // rows of even and of odd number
 
 /// What a checkpoint begins with.

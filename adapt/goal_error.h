@@ -17,7 +17,7 @@ struct GoalError {
 /// A solution u_h with its dual solution z_h. Shape: one number per vertex.
 struct SolutionWithDual {
   std::span<const double> values;
-  std::span<const double> residual;  // -r_h at the vertices, less what arcs leave over (arc_defect)
+  std::span<const double> residual;  // -r_h at the vertices
   std::span<const double> dual;
 };
 
@@ -32,7 +32,8 @@ struct SolutionWithDual {
 /// they stand for, over triangles and edges alike.
 ///
 /// Where Dirichlet sides stand for arcs, u on them is what is given on the arc, less what u_h rises from the side to
-/// there. arc_heights: as labelled_sides.
+/// there; what other arcs leave over in the equations (arc_defect) acts on z_h as r_h does. arc_heights: as
+/// labelled_sides.
 ///
 /// Errors: as solve. Cost: O(n), that of assembling on 4 n triangles.
 GoalError estimate_goal_error(const Mesh& mesh, const Problem& problem, const GoalFunctional& goal,

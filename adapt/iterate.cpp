@@ -9,12 +9,9 @@
 #include "adapt/number_text.h"
 #include "adapt/stopwatch.h"
 #include "adapt/transfer.h"
-#include "fem/arc_defect.h"
 #include "fem/dual.h"
 #include "fem/functionals.h"
 #include "fem/galerkin_error.h"
-#include "fem/quadratic.h"
-#include "fem/recovery.h"
 #include "mesher/arc_heights.h"
 #include "mesher/generate_around.h"
 #include "mesher/geometry/bounding_diagonal.h"
@@ -99,17 +96,6 @@ void take_means_of_exact(const Case& input, const DiscreteProblem& discrete, Ite
   iterate.solve_report->maximum = *greatest;
 }
 
-/// What arcs leave over in the equations of the exact solution acts on a functional as residuals do.
-void subtract_arc_defect(const DiscreteProblem& discrete, Solution& solution) {
-  if (std::ranges::none_of(discrete.sides, [](const Side& side) { return side.arc_height != 0.0; })) return;
-  const Mesh& parts = discrete.parts.mesh();
-  const std::vector<double> u = discrete.parts.spread(solution.values);
-  const std::vector<Vector> gradients = recover_gradients(parts, u);
-  const Eigen::VectorXd defect = arc_defect(discrete, solution.values, surpluses(parts, u, gradients), gradients);
-  for (std::size_t v = 0; v < solution.residual.size(); ++v)
-    solution.residual[v] -= defect[static_cast<Eigen::Index>(v)];
-}
-
 /// Solves on this mesh, that of the iterate with its cracks opened, and estimates the error.
 void solve_on(const Mesh& mesh, const Case& input, const Iterate* previous, Iterate& iterate) {
   Stopwatch watch;
@@ -123,7 +109,6 @@ void solve_on(const Mesh& mesh, const Case& input, const Iterate* previous, Iter
   watch = {};
   const ErrorEstimate estimate = estimate_error(discrete, solution);
   iterate.estimated_error = estimate.norms;
-  if (input.goal) subtract_arc_defect(discrete, solution);
   if (input.goal && estimate.field && !discrete.local_solution().empty())
     iterate.goal_error = functional_error(discrete, goal_functional(*input.goal, mesh), solution, *estimate.field);
   iterate.values = std::move(solution.values);

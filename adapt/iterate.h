@@ -22,7 +22,7 @@ struct Iterate {
   std::optional<Mesh> relaxed;   // where it differs: the mesh before its error was lowered, the start of the next
   std::vector<Metric> metrics;   // asked of the mesher, re-evaluated at the vertices of the mesh
   std::vector<double> values;    // nodal values of the solution, or of the interpolant
-  std::vector<double> residual;  // of the discrete equations; with a goal, less what arcs leave over
+  std::vector<double> residual;  // of the discrete equations
   std::vector<double> dual;      // those of the dual solution, empty without a goal
   double complexity = 0.0;       // of the metric asked for
   ClippedSizes clipped;          // by its limits

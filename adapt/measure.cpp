@@ -69,7 +69,7 @@ GoalRow goal_row(const Mesh& mesh, const Case& input, const Iterate& iterate) {
   const GoalFunctional functional = goal_functional(*input.goal, mesh);
   row.value = evaluate(*input.goal, mesh, iterate.values, iterate.fluxes);
   row.estimate = estimate_goal_error(mesh, input.problem, functional, {iterate.values, iterate.residual, iterate.dual},
-                                     arc_heights(mesh, input.domain));
+                                     arc_heights(iterate.mesh, input.domain));
   if (iterate.goal_error) {
     row.estimate.error = *iterate.goal_error;
     row.estimate.magnitude = std::max(row.estimate.magnitude, std::abs(*iterate.goal_error));

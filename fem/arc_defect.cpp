@@ -15,7 +15,8 @@ namespace {
 
 /// The function that stands for the exact solution, on a side as the triangle to its left or right has it.
 struct OnSide {
-  const DiscreteProblem& discrete;
+  const SmoothParts& parts;
+  const Problem& problem;
   std::span<const double> values;
   std::span<const Surplus> surplus;
   std::span<const Vector> gradients;
@@ -27,16 +28,15 @@ struct OnSide {
   }
 
   double value(const Side& side, int triangle, double t) const {
-    const double s = surplus[at(triangle)][apex_of(discrete.mesh, side, triangle)];
+    const double s = surplus[at(triangle)][apex_of(parts.whole(), side, triangle)];
     return (1.0 - t) * values[at(side.from)] + t * values[at(side.to)] + 4.0 * s * t * (1.0 - t);
   }
 
  private:
   Vector at_corner(int triangle, int v) const {
-    const auto t = static_cast<std::size_t>(triangle);
-    const auto& corners = discrete.mesh.triangles[t];
+    const auto& corners = parts.whole().triangles[at(triangle)];
     const auto corner = static_cast<std::size_t>(std::ranges::find(corners, v) - corners.begin());
-    return gradients[at(discrete.parts.mesh().triangles[t][corner])];
+    return gradients[at(parts.mesh().triangles[at(triangle)][corner])];
   }
 };
 
@@ -67,8 +67,8 @@ double arc_slope(const Side& side, double t) { return 4.0 * side.arc_height * (1
 
 /// What a side's arc means to the triangle on one side of it: int d t.S phi_i' + d r phi_i, times the sign.
 void add_flux_through_gap(const OnSide& function, const Side& side, int triangle, double sign, Moments& moments) {
-  const Problem& problem = function.discrete.problem;
-  const Mesh& mesh = function.discrete.mesh;
+  const Problem& problem = function.problem;
+  const Mesh& mesh = function.parts.whole();
   const int region = mesh.regions[at(triangle)];
   const Point from = mesh.points[at(side.from)];
   const Point to = mesh.points[at(side.to)];
@@ -88,7 +88,7 @@ void add_flux_through_gap(const OnSide& function, const Side& side, int triangle
 /// int (g on the chord - (1 + d'^2 / 2) g on the arc) phi_i, g less a u under a Robin condition.
 void add_change_of_data(const OnSide& function, const Side& side, const BoundaryCondition& condition,
                         Moments& moments) {
-  const Mesh& mesh = function.discrete.mesh;
+  const Mesh& mesh = function.parts.whole();
   const Point from = mesh.points[at(side.from)];
   const Vector chord = mesh.points[at(side.to)] - from;
   const auto data = [&condition](const Side& seen, const Point& x, double u) {
@@ -119,7 +119,7 @@ Moments side_defect(const OnSide& function, const Side& side) {
     add_flux_through_gap(function, side, side.other_triangle, -1.0, moments);
     return moments;
   }
-  const BoundaryCondition& condition = function.discrete.problem.boundary.at(side.label);
+  const BoundaryCondition& condition = function.problem.boundary.at(side.label);
   if (condition.kind == BoundaryKind::Dirichlet) return moments;
   add_flux_through_gap(function, side, side.triangle, 1.0, moments);
   add_change_of_data(function, side, condition, moments);
@@ -128,11 +128,12 @@ Moments side_defect(const OnSide& function, const Side& side) {
 
 }  // namespace
 
-Eigen::VectorXd arc_defect(const DiscreteProblem& discrete, std::span<const double> values,
-                           std::span<const Surplus> surplus, std::span<const Vector> gradients) {
-  Eigen::VectorXd defect = Eigen::VectorXd::Zero(discrete.mesh.num_vertices());
-  const OnSide function{discrete, values, surplus, gradients};
-  for (const Side& side : discrete.sides) {
+Eigen::VectorXd arc_defect(const SmoothParts& parts, const Problem& problem, const std::vector<Side>& sides,
+                           std::span<const double> values, std::span<const Surplus> surplus,
+                           std::span<const Vector> gradients) {
+  Eigen::VectorXd defect = Eigen::VectorXd::Zero(parts.whole().num_vertices());
+  const OnSide function{parts, problem, values, surplus, gradients};
+  for (const Side& side : sides) {
     if (side.arc_height == 0.0) continue;
     const Moments moments = side_defect(function, side);
     defect[side.from] += moments.from;
@@ -142,7 +143,7 @@ Eigen::VectorXd arc_defect(const DiscreteProblem& discrete, std::span<const doub
 }
 
 double arc_gradient_error(const DiscreteProblem& discrete, std::span<const Vector> gradients) {
-  const OnSide function{discrete, {}, {}, gradients};
+  const OnSide function{discrete.parts, discrete.problem, {}, {}, gradients};
   double sum = 0.0;
   for (const Side& side : discrete.sides) {
     if (!side.interior || side.arc_height == 0.0) continue;

@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "fem/discrete_problem.h"
 #include "fem/quadratic.h"
+#include "fem/smooth_parts.h"
 
 namespace parmesan {
 
@@ -21,10 +23,12 @@ namespace parmesan {
 /// this leaves int (g on the chord - n.S) phi_i; between regions, where it is the same on both sides, the difference of
 /// the two n.S.
 ///
-/// values: of w, which with this surplus stands for u; gradients: at the vertices of discrete.parts. Zero where sides
-/// are straight. Errors: ProblemError where a coefficient is not finite. Cost: O(n), O(sides) evaluations.
-Eigen::VectorXd arc_defect(const DiscreteProblem& discrete, std::span<const double> values,
-                           std::span<const Surplus> surplus, std::span<const Vector> gradients);
+/// sides: labelled_sides, with arc heights. values: of w, which with this surplus stands for u; gradients: at the
+/// vertices of the parts. Zero where sides are straight. Errors: ProblemError where a coefficient is not finite. Cost:
+/// O(n), O(sides) evaluations.
+Eigen::VectorXd arc_defect(const SmoothParts& parts, const Problem& problem, const std::vector<Side>& sides,
+                           std::span<const double> values, std::span<const Surplus> surplus,
+                           std::span<const Vector> gradients);
 
 /// H1 seminorm of what the gradient has on the wrong side of arcs inside, between them and their chords.
 double arc_gradient_error(const DiscreteProblem& discrete, std::span<const Vector> gradients);

@@ -103,7 +103,7 @@ std::optional<NodalCorrection> nodal_correction(DiscreteProblem& discrete, std::
   if (patch)
     for (const int t : local.triangles()) result.surplus[at(t)] = {};
   Eigen::VectorXd load = defect(discrete, values, result.surplus);
-  load -= arc_defect(discrete, values, surplus, gradients);
+  load -= arc_defect(discrete.parts, discrete.problem, discrete.sides, values, surplus, gradients);
   if (patch) insert(*patch, local, load, result.surplus);
   remove_imbalance(discrete.null_space, discrete.system, load);
   std::optional<std::vector<double>> e = discrete.equations.approximate(load);

@@ -1,6 +1,7 @@
 #include "mesher/triangulation/refine.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "mesher/edge_finder.h"
 #include "mesher/geometry/predicates.h"
@@ -175,12 +176,12 @@ std::vector<int> edge_midpoints(const Mesh& mesh, const std::vector<Corners>& mi
 
 }  // namespace
 
-Mesh refine_red(const Mesh& mesh, std::span<const EdgeMiddle> middles) {
+RedRefinement refine_red_with_middles(const Mesh& mesh, std::span<const EdgeMiddle> middles) {
   Mesh fine;
   fine.points = mesh.points;
   fine.label_names = mesh.label_names;
   fine.region_names = mesh.region_names;
-  const auto middle = number_midpoints(mesh, Middles(mesh, middles), fine.points);
+  std::vector<Corners> middle = number_midpoints(mesh, Middles(mesh, middles), fine.points);
   for (std::size_t t = 0; t < middle.size(); ++t) {
     const Children children = children_of(mesh.triangles[t], middle[t]);
     fine.triangles.insert(fine.triangles.end(), children.triangles.begin(),
@@ -202,7 +203,11 @@ Mesh refine_red(const Mesh& mesh, std::span<const EdgeMiddle> middles) {
     }
     fine.labels.resize(fine.edges.size(), mesh.labels[i]);
   }
-  return fine;
+  return {std::move(fine), std::move(middle)};
+}
+
+Mesh refine_red(const Mesh& mesh, std::span<const EdgeMiddle> middles) {
+  return refine_red_with_middles(mesh, middles).mesh;
 }
 
 }  // namespace parmesan

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <span>
+#include <vector>
 
 #include "mesher/mesh.h"
 
@@ -22,5 +24,14 @@ struct EdgeMiddle {
 /// middles: places other than the midpoints, on the curves that the edges belong to; triangles that they would turn
 /// over are left whole as well.
 Mesh refine_red(const Mesh& mesh, std::span<const EdgeMiddle> middles = {});
+
+/// A red refinement and where its new vertices are.
+struct RedRefinement {
+  Mesh mesh;
+  std::vector<std::array<int, 3>> middles;  // of each old triangle, opposite to each corner; -1: that side is whole
+};
+
+/// As refine_red.
+RedRefinement refine_red_with_middles(const Mesh& mesh, std::span<const EdgeMiddle> middles = {});
 
 }  // namespace parmesan
