@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "adapt/continuation.h"
-#include "adapt/diffusion_jumps.h"
 #include "adapt/loop_decision.h"
 #include "adapt/loop_warnings.h"
 #include "adapt/measure.h"
@@ -41,6 +40,7 @@ class Loop {
     if (start_.resume && !was_interrupted_at_start(*start_.resume)) {
       state_ = *start_.resume;
       state_.summary.threads = options_.threads;
+      if (start_.is_other_case) judge_anew();
     } else {
       start();
       add_row();
@@ -68,7 +68,6 @@ class Loop {
     summary.seed = case_.mesher.seed;
     summary.threads = options_.threads;
     summary.error_targets_declared = goal_.error_targets;
-    state_.limit = start_.limit;
     if (start_.first) {
       state_.last = *start_.first;
       state_.last.seconds = {};
@@ -80,6 +79,25 @@ class Loop {
       if (std::optional<std::string> beyond = warn_beyond(*case_.given, state_.last.mesh))
         summary.warnings.push_back(std::move(*beyond));
     }
+    find_limit();
+  }
+
+  // Goes on from the mesh of another case: what was found out there says nothing here.
+  void judge_anew() {
+    state_.met.reset();
+    state_.is_met = state_.unchanged = state_.limits_bind = false;
+    state_.summary.case_name = case_.name;
+    state_.summary.error_targets_declared = goal_.error_targets;
+    for (SizeStep& step : state_.history) step.error = HUGE_VAL;
+    find_limit();
+    compute_values(case_, state_.last, nullptr);
+    add_row();
+  }
+
+  // Of interpolation, where the exact function is known.
+  void find_limit() {
+    Summary& summary = state_.summary;
+    state_.limit = start_.limit;
     if (case_.exact && !state_.limit) state_.limit = interpolation_limit(state_.last.mesh, *case_.exact);
     if (state_.limit && efficiency(1.0, 1.0, *state_.limit)) summary.interpolation_limit = state_.limit->value;
   }
@@ -193,17 +211,8 @@ class Loop {
     for (std::string& warning :
          warnings_of_last(summary.iterations.back(), aimed, state_.limits_bind, summary.stop_reason))
       summary.warnings.push_back(std::move(warning));
-    if (!case_.interpolation) {
-      const IterationRow& last = summary.iterations.back();
-      const ErrorNorms error = targeted_error(case_, last);
-      const auto hint =
-          is_round_off(error.l2, state_.last.values) ? std::nullopt : hint_of_correction(case_.targets, error, last);
-      if (hint) summary.warnings.push_back(*hint);
-      if (std::optional<std::string> unseen = of_unseen_source(case_.problem, last))
-        summary.warnings.push_back(std::move(*unseen));
-      if (std::optional<std::string> jumps = warn_of_jumps(case_.problem, state_.last.mesh))
-        summary.warnings.push_back(std::move(*jumps));
-    }
+    for (std::string& warning : warnings_of_solution(case_, state_.last, summary.iterations.back()))
+      summary.warnings.push_back(std::move(warning));
     summary.targets_met = goal_.error_targets ? state_.history.back().error <= 1.0
                                               : reason != StopReason::Interrupted && has_size_aimed_at(case_, state_);
   }
@@ -220,7 +229,9 @@ class Loop {
     const Stopwatch recover;
     MetricRequest request;
     request.options = case_.metric;
-    request.measure = options_.measure.value_or(error_measure(case_.targets));
+    const Targets& aims = options_.aims ? *options_.aims : case_.targets;
+    request.measure = error_measure(aims);
+    request.norms = declares_norm_target(aims);
     request.isotropic = options_.isotropic;
     const double wanted = complexity_for_vertices(asked) * calibration();
     request.complexity = wanted;
@@ -241,8 +252,10 @@ class Loop {
     state_.unchanged = same_mesh(next.mesh, state_.last.mesh);
     const bool is_coarser = metric.complexity < 0.8 * wanted;  // so far off only for size limits
     const bool is_finer = metric.complexity > 1.25 * wanted;
-    state_.limits_bind = state_.asked == asked && (is_coarser || (is_finer && goal_.vertices));
-    state_.asked = is_finer && !goal_.vertices ? static_cast<double>(next.mesh.num_vertices()) : asked;
+    const bool is_last_size = goal_.vertices && asked >= *goal_.vertices;
+    state_.limits_bind = state_.asked == asked && (is_coarser || (is_finer && is_last_size));
+    const auto obtained = static_cast<double>(next.mesh.num_vertices());
+    state_.asked = is_finer && !is_last_size ? std::min(obtained, goal_.vertices.value_or(obtained)) : asked;
     state_.last = std::move(next);
     return true;
   }

@@ -19,12 +19,13 @@ struct LoopOptions {
   const std::atomic<bool>* interrupted = nullptr;       // looked at between stages
   std::function<void(const LoopState&)> observer = {};  // after every row
   bool isotropic = false;                               // metrics of the form s I
-  std::optional<ErrorMeasure> measure = {};             // what metrics make small; absent: error_measure(targets)
+  const Targets* aims = nullptr;                        // whose errors metrics make small; absent: those of the case
 };
 
 /// Where the loop begins.
 struct LoopStart {
   const LoopState* resume = nullptr;             // goes on there
+  bool is_other_case = false;                    // whose state `resume` is: its mesh is solved on, and judged, anew
   const Iterate* first = nullptr;                // begins there, with values; absent: uniform, or that of continuation
   std::optional<InterpolationLimit> limit = {};  // computed on the first mesh when absent and needed
 };

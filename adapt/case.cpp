@@ -104,6 +104,17 @@ void refuse_infinite_errors(CaseReading& reading, const Case& result) {
   if (result.targets.linf_error) reading.issues.add("/targets/linf_error", why);
 }
 
+/// "*" stands for all sides, or all regions, that have no name of their own.
+void refuse_star_names(CaseReading& reading, const Domain& domain) {
+  const auto refuse = [&reading](const LabelNames& names, const char* what) {
+    for (const auto& [number, name] : names)
+      if (name == "*")
+        reading.issues.add("/geometry", std::string(what) + " may not be called \"*\", which stands for all others");
+  };
+  refuse(domain.label_names, "a side");
+  refuse(domain.region_names, "a region");
+}
+
 void keep_places_at_curves(Case& result) {
   for (CaseFunctional& functional : result.functionals) {
     if (functional.kind == CaseFunctional::Kind::Value)
@@ -128,6 +139,7 @@ Case parse_unclean(const std::string& text, const std::string& file, const std::
   read_name(reading, result);
   const std::optional<CaseGeometry> geometry = read_geometry_section(reading);
   if (geometry) {
+    refuse_star_names(reading, geometry->domain);
     result.domain = geometry->domain;
     result.required_regions = geometry->required_regions;
     result.kept = geometry->kept;

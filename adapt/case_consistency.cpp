@@ -14,12 +14,12 @@ namespace {
 constexpr int kNumSamples = 256;
 constexpr std::size_t kMostSides = 400;
 constexpr double kSourceTolerance = 1e-6;
-constexpr double kDirichletTolerance = 1e-3;
+constexpr double kDataTolerance = 1e-3;
 constexpr int kDigits = 6;
 
 std::string shown(double value) { return short_number(value, kDigits); }
 
-std::string at(const Point& p) { return "at (" + shown(p.x) + ", " + shown(p.y) + ") "; }
+std::string place(const Point& p) { return "at (" + shown(p.x) + ", " + shown(p.y) + ") "; }
 
 /// Those of the outline: a crack neither encloses anything nor needs u have one value there.
 std::vector<Segment> sides_of(const CaseGeometry& geometry) {
@@ -77,7 +77,7 @@ void check_source(CaseReading& reading, const Equation& equation, const CheckedE
     if (!std::isfinite(given) || !std::isfinite(u_xx)) continue;
     const Sum derived = equation.derived_source(p, 0);
     if (std::fabs(given - derived.value) <= kSourceTolerance * (derived.scale + std::fabs(given))) continue;
-    return reading.issues.add(source.pointer(), "does not agree with 'exact': " + at(p) + "it is " + shown(given) +
+    return reading.issues.add(source.pointer(), "does not agree with 'exact': " + place(p) + "it is " + shown(given) +
                                                     ", but the equation applied to the exact solution gives " +
                                                     shown(derived.value) + "; leave 'source' out to have it derived");
   }
@@ -90,26 +90,67 @@ Vector normal_at(const Domain& domain, const Segment& side, double t) {
   return {along.y / length, -along.x / length};
 }
 
-void check_dirichlet(CaseReading& reading, const CaseGeometry& geometry, const Equation& equation,
-                     const Problem& problem, double size) {
+/// What a condition says, and what it has to be for the exact solution.
+struct Agreement {
+  double given = 0.0;
+  double exact = 0.0;
+  double size = 0.0;  // of what is compared
+  const char* meaning = "";
+  double difference() const { return std::fabs(given - exact); }
+  bool holds() const { return !(difference() > kDataTolerance * std::max(size, std::fabs(exact))); }
+};
+
+/// Sizes of the exact solution and of its flux.
+struct Sizes {
+  double u = 0.0;
+  double flux = 0.0;
+};
+
+/// K grad u, which may be infinite.
+Vector flux_at(const Equation& equation, const Point& p) {
+  const Jet u = equation.exact->expression().jet(p);
+  return equation.diffusion_at(p, 0) * Vector{u.x, u.y};
+}
+
+Sizes sizes_of(const Equation& equation, const std::vector<Point>& samples) {
+  Sizes sizes;
+  for (const Point& p : samples) {
+    const double u = equation.exact->expression().value(p);
+    if (std::isfinite(u)) sizes.u = std::max(sizes.u, std::fabs(u));
+    const double flux = norm(flux_at(equation, p));
+    if (std::isfinite(flux)) sizes.flux = std::max(sizes.flux, flux);
+  }
+  return sizes;
+}
+
+Agreement agreement(const BoundaryCondition& condition, const Equation& equation, const Sizes& sizes, const Point& p,
+                    const Vector& normal) {
+  const double given = condition.value(p, normal, 0);
+  const double u = equation.exact->expression().value(p);
+  if (condition.kind == BoundaryKind::Dirichlet) return {given, u, sizes.u, "u"};
+  const double flux = dot(normal, flux_at(equation, p));
+  if (condition.kind == BoundaryKind::Neumann) return {given, flux, sizes.flux, "n.K grad u"};
+  const double coefficient = condition.coefficient(p, normal, 0);
+  return {given, flux + coefficient * u, sizes.flux + std::fabs(coefficient) * sizes.u, "n.K grad u + coefficient u"};
+}
+
+void check_data(CaseReading& reading, const CaseGeometry& geometry, const Equation& equation, const Problem& problem,
+                const Sizes& sizes) {
   const std::vector<Segment> sides = sides_of(geometry);
   for (std::size_t i = 0; i < std::min(sides.size(), kMostSides); ++i) {
     const auto condition = problem.boundary.find(sides[i].label);
-    if (condition == problem.boundary.end() || condition->second.kind != BoundaryKind::Dirichlet) continue;
+    if (condition == problem.boundary.end()) continue;
     for (const double t : {0.21, 0.5, 0.83}) {
       const Point p = point_on(geometry.domain, sides[i], t);
-      const double exact = equation.exact->expression().value(p);
-      if (!std::isfinite(exact)) continue;
       const Vector normal = normal_at(geometry.domain, sides[i], t);
-      const double given = condition->second.value(p, normal, 0);
-      const auto agrees = [&](double value) {
-        return std::fabs(value - exact) <= kDirichletTolerance * std::max(size, std::fabs(exact));
-      };
-      if (agrees(given) || agrees(condition->second.value(p, -normal, 0))) continue;
-      return reading.issues.add("/problem/boundary", "the condition on '" +
-                                                         label_name(geometry.domain.label_names, sides[i].label) +
-                                                         "' does not agree with 'exact': " + at(p) + "it gives " +
-                                                         shown(given) + ", but u = " + shown(exact));
+      const Agreement one = agreement(condition->second, equation, sizes, p, normal);
+      const Agreement other = agreement(condition->second, equation, sizes, p, -normal);
+      if (one.holds() || other.holds()) continue;
+      const Agreement& nearer = other.difference() < one.difference() ? other : one;
+      return reading.issues.add("/problem/boundary",
+                                "the condition on '" + label_name(geometry.domain.label_names, sides[i].label) +
+                                    "' does not agree with 'exact': " + place(p) + "it gives " + shown(nearer.given) +
+                                    ", but " + nearer.meaning + " = " + shown(nearer.exact));
     }
   }
 }
@@ -126,14 +167,9 @@ void check_consistency(CaseReading& reading, const CaseGeometry& geometry, const
   const std::vector<Segment> sides = sides_of(geometry);
   if (sides.empty() || !is_uniform(equation)) return;
   const std::vector<Point> samples = samples_inside(geometry.domain, sides);
-  double size = 0.0;  // of u
-  for (const Point& p : samples) {
-    const double u = equation.exact->expression().value(p);
-    if (std::isfinite(u)) size = std::max(size, std::fabs(u));
-  }
   try {
     if (source && source->by_region.empty()) check_source(reading, equation, *source->other, samples);
-    check_dirichlet(reading, geometry, equation, problem, size);
+    check_data(reading, geometry, equation, problem, sizes_of(equation, samples));
   } catch (const ProblemError&) {
     // a value that is not finite at some sample: an error only where the solver needs it
   }

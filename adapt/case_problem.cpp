@@ -67,6 +67,14 @@ class EquationReader {
     return VectorExpressions{*x, *y};
   }
 
+  /// Numbers, to rounding, or expressions.
+  static bool are_equal(const Json& a, const Json& b) {
+    constexpr double rounding = 1e-14;
+    if (!a.is_number() || !b.is_number()) return a == b;
+    const double x = a.get<double>(), y = b.get<double>();
+    return std::abs(x - y) <= rounding * std::abs(x);
+  }
+
   std::optional<TensorExpressions> tensor(const Json& value, const std::string& pointer) {
     if (!value.is_array()) {
       const std::optional<CheckedExpression> k = scalar(value, pointer);
@@ -75,7 +83,7 @@ class EquationReader {
     }
     const std::optional<VectorExpressions> first = vector(value[0], pointer + "/0");
     const std::optional<VectorExpressions> second = vector(value[1], pointer + "/1");
-    if (value[0][1] != value[1][0]) {
+    if (!are_equal(value[0][1], value[1][0])) {
       reading_.issues.add(pointer, "the matrix must be symmetric: entries [0][1] and [1][0] differ");
     }
     if (!first || !second) return std::nullopt;

@@ -294,7 +294,7 @@ constexpr const char* kSchema = R"schema({
         "point_sources": { "type": "array", "items": { "$ref": "#/$defs/point_source" },
                            "description": "not with the targets h1_error and linf_error: the solution is infinite there" },
         "exact": { "$ref": "#/$defs/scalar",
-                   "description": "the exact solution, where known: errors are measured against it, and boundary data may use it" },
+                   "description": "the exact solution, where known: errors are measured against it, and boundary data may use it: under neumann it is n.K grad u, as the value of robin n.K grad u + coefficient u" },
         "stabilize": { "type": "boolean", "default": true,
                        "description": "SUPG where the mesh Peclet number exceeds 1" },
         "discontinuity_capturing": { "type": "boolean", "default": false,

@@ -22,7 +22,7 @@
 namespace parmesan {
 namespace {
 
-CompareRow row_of(MeshFamily family, const IterationRow& measured, std::span<const double> values, double cpu_seconds) {
+CompareRow row_of(MeshFamily family, const IterationRow& measured, const Iterate& iterate, double cpu_seconds) {
   CompareRow row;
   row.family = family;
   row.vertices = measured.vertices;
@@ -46,7 +46,7 @@ CompareRow row_of(MeshFamily family, const IterationRow& measured, std::span<con
     row.estimated_l2 = measured.estimated_error->l2;
     row.estimated_h1 = measured.estimated_error->h1;
   }
-  row.at_round_off = is_round_off(row.leading_l2(), values);
+  row.at_round_off = is_round_off(row.leading_l2(), iterate.mesh, iterate.values);
   return row;
 }
 
@@ -117,7 +117,7 @@ class Comparison {
     loop.max_vertices = options_.max_vertices;
     loop.interrupted = options_.interrupted;
     loop.isotropic = family == MeshFamily::Isotropic;
-    loop.measure = error_measure(case_.targets);
+    loop.aims = &case_.targets;
     LoopStart start{.limit = limit_};
     Iterate last;
     double cpu = 0.0;
@@ -129,7 +129,7 @@ class Comparison {
       cpu += spent(run.summary.iterations);
       last = std::move(run.last);
       start.first = &last;
-      add(row_of(family, run.summary.iterations.back(), last.values, cpu));
+      add(row_of(family, run.summary.iterations.back(), last, cpu));
     }
   }
 
@@ -163,7 +163,7 @@ class Comparison {
   void add_uniform(Iterate& next, Iterate& last) {
     compute_values(case_, next, last.values.empty() ? nullptr : &last);
     const IterationRow measured = measure(case_, next, 0, limit_);
-    add(row_of(MeshFamily::Uniform, measured, next.values, measured.seconds.cpu));
+    add(row_of(MeshFamily::Uniform, measured, next, measured.seconds.cpu));
     last = std::move(next);
   }
 
@@ -182,14 +182,14 @@ class Comparison {
   void find_equivalents() {
     std::vector<double> sizes, seconds, errors;
     for (const CompareRow& row : result_.rows) {
-      if (row.family != MeshFamily::Uniform) continue;
+      if (row.family != MeshFamily::Uniform || row.at_round_off) continue;
       sizes.push_back(static_cast<double>(row.vertices));
       seconds.push_back(row.cpu_seconds);
       errors.push_back(row.leading_l2());
     }
     if (sizes.empty()) return;
     for (const CompareRow& row : result_.rows) {
-      if (row.family == MeshFamily::Uniform) continue;
+      if (row.family == MeshFamily::Uniform || row.at_round_off) continue;
       const double l2 = row.leading_l2();
       result_.equivalents.push_back({row.family, row.vertices, row.cpu_seconds, l2, size_for_error(sizes, errors, l2),
                                      size_for_error(seconds, errors, l2)});

@@ -41,7 +41,7 @@ struct CompareRow {
   std::optional<double> estimated_l2, estimated_h1;
   std::optional<double> goal_value, goal_estimate, goal_error;  // as in GoalRow
   std::optional<double> efficiency;
-  bool at_round_off = false;  // the leading L2 error says nothing: left out of the orders
+  bool at_round_off = false;  // the leading L2 error says nothing: left out of orders and equal errors
   double cpu_seconds = 0.0;   // mesh, solve and recover, of all passes up to this mesh; not the measuring
 
   /// The error that is compared: of the solution, of the interpolant, or estimated, the first there is.

@@ -84,6 +84,7 @@ std::string seconds_text(const UniformEquivalent& e) {
 }
 
 std::string equivalents(const CompareResult& result) {
+  if (result.equivalents.empty()) return "";
   std::string text = "\nuniform vertices, and CPU time, for the same L2 error\n";
   for (const UniformEquivalent& e : result.equivalents) {
     text += "  " + std::string(to_string(e.family)) + padded(std::to_string(e.vertices), 10) + ": " +

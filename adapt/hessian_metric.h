@@ -15,6 +15,7 @@ namespace parmesan {
 struct MetricRequest {
   MetricOptions options;
   ErrorMeasure measure = ErrorMeasure::Lp;
+  bool norms = false;                      // are aimed at beside a goal functional, where there is one
   bool isotropic = false;                  // the best metric of the form s I, from the largest |eigenvalue|
   double complexity = 1000.0;              // integral of sqrt(det M) asked for
   std::vector<SymmetricTensor> influence;  // per vertex, of `influence`: bounds aspects where there is one

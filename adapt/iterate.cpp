@@ -24,6 +24,16 @@
 namespace parmesan {
 namespace {
 
+/// Of those longer than this; L.
+double length_of_edges(const Mesh& mesh, double longer_than) {
+  double sum = 0.0;
+  for (const auto& [a, b] : mesh.edges) {
+    const double length = norm(mesh.points[at(b)] - mesh.points[at(a)]);
+    if (length > longer_than) sum += length;
+  }
+  return sum;
+}
+
 /// The mesh whose required triangles the next one must have; nothing where there are none.
 std::optional<Mesh> mesh_to_keep(const Case& input, const Mesh* previous) {
   if (previous == nullptr) return input.kept;
@@ -143,11 +153,12 @@ Iterate uniform_iterate(const Case& input, double vertices) {
   constexpr double coarse_sizes = 8.0;  // per diagonal
   const Stopwatch watch;
   const ConstantField coarse(Metric::isotropic(bounding_diagonal(points_around(input.domain)) / coarse_sizes));
-  const double domain_area = area(generate(input.domain, coarse, input.mesher).mesh);
-  const double wanted = complexity_for_vertices(vertices);
-  const ConstantField field(Metric::isotropic(std::sqrt(domain_area / wanted)));
+  const Mesh first = generate(input.domain, coarse, input.mesher).mesh;
+  const double by_area = std::sqrt(area(first) / complexity_for_vertices(vertices));
+  const double size = std::max(by_area, length_of_edges(first, by_area) / vertices);
+  const ConstantField field(Metric::isotropic(size));
   Iterate iterate = generated(input, field, nullptr);
-  iterate.complexity = wanted;
+  iterate.complexity = area(first) / (size * size);
   iterate.seconds.mesh = watch.seconds();
   iterate.seconds.cpu = watch.cpu_seconds();
   return iterate;

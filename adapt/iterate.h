@@ -35,7 +35,8 @@ struct Iterate {
 };
 
 /// A uniform mesh of about this many vertices, without a discrete function.
-/// Errors: as generate. The size follows from the area, known from a coarse mesh made first.
+/// Errors: as generate. The size follows from the area, or the length of edges where the domain is so thin that all
+/// vertices are on them, known from a coarse mesh made first.
 Iterate uniform_iterate(const Case& input, double vertices);
 
 /// The next mesh: the metric is given on the background mesh; the particles of the previous iterate are the

@@ -15,7 +15,7 @@ std::optional<StopReason> budget_spent(const Case& input, const LoopState& state
   if (state.unchanged) return StopReason::Unchanged;
   if (state.limits_bind) return StopReason::Stagnated;
   const ErrorNorms error = targeted_error(input, state.summary.iterations.back());
-  if (is_round_off(error.l2, state.last.values)) return StopReason::Floor;
+  if (is_round_off(error.l2, state.last.mesh, state.last.values)) return StopReason::Floor;
   const Targets& targets = input.targets;
   if (static_cast<int>(state.history.size()) >= targets.max_iterations) return StopReason::MaxIterations;
   if (targets.max_seconds && state.seconds >= *targets.max_seconds) return StopReason::TimeBudget;

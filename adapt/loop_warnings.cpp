@@ -4,9 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
+#include "adapt/diffusion_jumps.h"
+#include "adapt/measure.h"
 #include "adapt/number_text.h"
 #include "adapt/sizing.h"
+#include "fem/boundary_conditions.h"
+#include "fem/point_sources.h"
+#include "mesher/index.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -152,6 +159,35 @@ std::optional<std::string> of_no_unknowns(const IterationRow& last) {
   return "no vertex of the last mesh is free: the solution is made of given values alone, and its error is not known";
 }
 
+// Of a solution that is 0 though the source is not, which the mesh may miss altogether.
+std::optional<std::string> of_unseen_source(const Problem& problem, const IterationRow& last) {
+  const bool is_zero = last.solve_report && last.solve_report->minimum == 0.0 && last.solve_report->maximum == 0.0;
+  if (!problem.source || !is_zero || last.solution_error) return std::nullopt;
+  return "the solution is 0 at all vertices, though 'source' is not the constant 0: where that lies between the points "
+         "that a mesh of " +
+         std::to_string(last.vertices) + " vertices looks at, a larger \"vertices\" of 'initial' finds it";
+}
+
+// Of point sources where u is given, so that they change nothing.
+std::vector<std::string> of_idle_point_sources(const Problem& problem, const Mesh& mesh) {
+  constexpr double rounding = 1e-9;
+  if (problem.point_sources.empty()) return {};
+  const FixedVertices fixed = dirichlet_values(mesh, problem, labelled_sides(mesh));
+  const std::vector<std::vector<TrianglePlace>> places = places_of_sources(mesh, problem);
+  std::vector<std::string> warnings;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto acts = [&](const TrianglePlace& place) {
+      for (std::size_t i = 0; i < 3; ++i)
+        if (place.lambda[i] > rounding && !fixed.fixed[at(mesh.triangles[at(place.triangle)][i])]) return true;
+      return false;
+    };
+    if (std::ranges::none_of(places[k], acts))
+      warnings.push_back("the point source at " + text(problem.point_sources[k].place) +
+                         " is where the solution is given: it changes nothing");
+  }
+  return warnings;
+}
+
 // Of a solution that is one of many.
 std::optional<std::string> of_constants(const IterationRow& last) {
   const int parts = last.solve_report ? last.solve_report->null_components : 0;
@@ -185,14 +221,6 @@ std::vector<std::string> warnings_of_last(const IterationRow& last, std::optiona
   return warnings;
 }
 
-std::optional<std::string> of_unseen_source(const Problem& problem, const IterationRow& last) {
-  const bool is_zero = last.solve_report && last.solve_report->minimum == 0.0 && last.solve_report->maximum == 0.0;
-  if (!problem.source || !is_zero || last.solution_error) return std::nullopt;
-  return "the solution is 0 at all vertices, though 'source' is not the constant 0: where that lies between the points "
-         "that a mesh of " +
-         std::to_string(last.vertices) + " vertices looks at, a larger \"vertices\" of 'initial' finds it";
-}
-
 std::optional<std::string> hint_of_correction(const Targets& targets, const ErrorNorms& error,
                                               const IterationRow& last) {
   constexpr double much = 2.0;
@@ -206,6 +234,21 @@ std::optional<std::string> hint_of_correction(const Targets& targets, const Erro
   return "the L2 error is " + short_number(error.l2 / interpolation, 3) +
          " times what exact values at the vertices would leave: \"defect_correction\": true in \"problem\" brings the "
          "solution near to that, and smaller meshes to the target";
+}
+
+std::vector<std::string> warnings_of_solution(const Case& input, const Iterate& iterate, const IterationRow& last) {
+  if (input.interpolation) return {};
+  std::vector<std::string> warnings;
+  const auto add = [&warnings](std::optional<std::string> warning) {
+    if (warning) warnings.push_back(std::move(*warning));
+  };
+  const ErrorNorms error = targeted_error(input, last);
+  if (!is_round_off(error.l2, iterate.mesh, iterate.values)) add(hint_of_correction(input.targets, error, last));
+  add(of_unseen_source(input.problem, last));
+  for (std::string& warning : of_idle_point_sources(input.problem, iterate.mesh))
+    warnings.push_back(std::move(warning));
+  add(warn_of_jumps(input.problem, iterate.mesh));
+  return warnings;
 }
 
 }  // namespace parmesan

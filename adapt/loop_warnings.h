@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "adapt/case.h"
+#include "adapt/iterate.h"
 #include "adapt/summary.h"
 #include "adapt/targets.h"
-#include "fem/problem.h"
 
 namespace parmesan {
 
@@ -19,9 +20,10 @@ namespace parmesan {
 std::vector<std::string> warnings_of_last(const IterationRow& last, std::optional<std::int64_t> aimed, bool limits_bind,
                                           StopReason reason);
 
-/// Of a solution that is 0 though the source is not, which the mesh may miss altogether. Nothing where the exact
-/// solution is known.
-std::optional<std::string> of_unseen_source(const Problem& problem, const IterationRow& last);
+/// What a user should know of its solution: what would bring it nearer to the exact one (hint_of_correction); a source
+/// that the mesh may miss altogether, or that given values take away; a diffusion that jumps inside of triangles.
+/// Nothing of an interpolant. Errors: as diffusion_at. Cost: O(n).
+std::vector<std::string> warnings_of_solution(const Case& input, const Iterate& iterate, const IterationRow& last);
 
 /// Where errors of the values are a target and Galerkin's method adds as much to that of the interpolant again: what
 /// would take it away. error: of the solution, known or estimated.

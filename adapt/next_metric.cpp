@@ -5,7 +5,6 @@
 
 #include "adapt/influence.h"
 #include "adapt/iterate.h"
-#include "adapt/targets.h"
 
 namespace parmesan {
 
@@ -15,7 +14,7 @@ HessianMetric NextMetric::make(const Case& input, const SecondDerivatives& deriv
   for_goal.measure = ErrorMeasure::Lp;
   for_goal.options.norm = 1.0;
   HessianMetric goal = metric_from_hessians(*derivatives.mesh, derivatives.goal, for_goal);
-  if (!declares_norm_target(input.targets)) return goal;
+  if (!request.norms) return goal;
   return intersected(*derivatives.mesh, goal, for_norms(input, derivatives, request), request);
 }
 

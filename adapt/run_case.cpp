@@ -92,9 +92,14 @@ std::uint64_t checksum_of(const Case& input) {
   return checksum(text);
 }
 
+struct Resumed {
+  LoopState state;
+  bool is_other_case = false;
+};
+
 // Nothing where the run was ended before its first checkpoint, or has not begun.
-std::optional<LoopState> state_to_resume(const std::string& path, const Case& input, std::uint64_t case_hash,
-                                         const RunOptions& options) {
+std::optional<Resumed> state_to_resume(const std::string& path, const Case& input, std::uint64_t case_hash,
+                                       const RunOptions& options) {
   FoundCheckpoint found = find_checkpoint(path);
   for (const std::string& problem : found.problems) say(options, problem);
   if (!found.checkpoint) {
@@ -107,14 +112,15 @@ std::optional<LoopState> state_to_resume(const std::string& path, const Case& in
     say(options, "there is no checkpoint to go on from: starting anew");
     return std::nullopt;
   }
-  if (found.checkpoint->case_hash != case_hash && !options.force) {
+  const bool is_other_case = found.checkpoint->case_hash != case_hash;
+  if (is_other_case && !options.force) {
     throw InputError(path + " holds the run of another case than this one (compare its case.json" +
                      (input.files.empty() ? "" : ", and the files that the case names") +
                      "); --force goes on with this case from there");
   }
   say(options,
       "going on after iteration " + std::to_string(found.checkpoint->state.summary.iterations.back().iteration));
-  return std::move(found.checkpoint->state);
+  return Resumed{std::move(found.checkpoint->state), is_other_case};
 }
 
 EarlierFiles earlier_files(const RunOptions& options, bool resumed) {
@@ -135,7 +141,7 @@ std::vector<Verdict> verify(const std::vector<Expectation>& expectations, const 
 RunResult run_case(const Case& input, const RunOptions& options) {
   const std::string path = options.out_dir.empty() ? input.name + ".out" : options.out_dir;
   const std::uint64_t case_hash = checksum_of(input);
-  const std::optional<LoopState> resumed =
+  const std::optional<Resumed> resumed =
       options.resume ? state_to_resume(path, input, case_hash, options) : std::nullopt;
   RunFolder folder(path, input, earlier_files(options, resumed.has_value()));
   LoopOptions loop;
@@ -148,7 +154,8 @@ RunResult run_case(const Case& input, const RunOptions& options) {
     write_checkpoint(path, state, case_hash);
     say(options, progress_line(input, row), share_of_way(state.history, size_goal(input.targets)));
   };
-  LoopResult run = adapt(input, loop, {.resume = resumed ? &*resumed : nullptr});
+  LoopResult run = adapt(
+      input, loop, {.resume = resumed ? &resumed->state : nullptr, .is_other_case = resumed && resumed->is_other_case});
   folder.finish(run.summary, run.last);
   write_report(path + "/report.html", {path});
   RunResult result;

@@ -39,10 +39,10 @@ void require_within_limit(const Targets& targets, std::int64_t max_vertices) {
                    " vertices, more than the safety limit of " + std::to_string(max_vertices));
 }
 
-bool is_round_off(double l2, std::span<const double> values) {
+bool is_round_off(double l2, const Mesh& mesh, std::span<const double> values) {
   double largest = 0.0;
   for (const double v : values) largest = std::max(largest, std::abs(v));
-  return l2 <= 1e-14 * largest;
+  return l2 <= 1e-14 * largest * std::sqrt(area(mesh));
 }
 
 }  // namespace parmesan

@@ -38,7 +38,8 @@ ErrorMeasure error_measure(const Targets& targets);
 /// Throws LimitError for a number of vertices aimed at that is above the safety limit.
 void require_within_limit(const Targets& targets, std::int64_t max_vertices);
 
-/// Whether an L2 error is no more than the round-off of a function with these nodal values: 1e-14 of the largest.
-bool is_round_off(double l2, std::span<const double> values);
+/// Whether an L2 error is no more than the round-off of a function with these nodal values: 1e-14 of the norm that the
+/// largest would have everywhere.
+bool is_round_off(double l2, const Mesh& mesh, std::span<const double> values);
 
 }  // namespace parmesan

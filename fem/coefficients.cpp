@@ -24,7 +24,7 @@ Diffusion diffusion_at(const Problem& problem, const Point& point, int region) {
   if (!problem.diffusion) return identity_tensor;
   const Diffusion k = problem.diffusion(point, region);
   for (const double entry : {k.xx, k.xy, k.yy}) require_finite(entry, "diffusion", point);
-  if (k.xx > 0.0 && k.yy > 0.0 && k.xx * k.yy > k.xy * k.xy) return k;
+  if (k.xx > 0.0 && k.yy > 0.0 && k.yy > k.xy / k.xx * k.xy) return k;
   throw ProblemError("diffusion is [[" + text(k.xx) + ", " + text(k.xy) + "], [" + text(k.xy) + ", " + text(k.yy) +
                      "]] at " + text(point) + "; it must be positive definite");
 }

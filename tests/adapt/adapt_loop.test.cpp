@@ -50,6 +50,15 @@ TEST_CASE("the loop comes close to the size it is aimed at", "[adapt][loop]") {
   CHECK(static_cast<double>(run.summary.iterations.back().vertices) == Approx(800).epsilon(0.06));
 }
 
+TEST_CASE("a largest size that makes meshes larger on the way does not keep the loop from the size aimed at",
+          "[adapt][loop]") {
+  Case input = interpolation_case("tanh(20*(x - y^2))", R"({"vertices": 2000})");
+  input.metric.h_max = 0.05;
+  const Summary summary = adapt(input, {}).summary;
+  CHECK(summary.stop_reason == StopReason::Vertices);
+  CHECK(static_cast<double>(summary.iterations.back().vertices) == Approx(2000).epsilon(0.03));
+}
+
 TEST_CASE("the safety limit of the loop is the one it is given, not the mesher's own", "[adapt][loop][errors]") {
   Case input = interpolation_case("sin(6*x)*y^2", R"({"vertices": 200})");
   input.mesher.max_vertices = 50;

@@ -87,7 +87,7 @@ TEST_CASE("A derived source knows tensors, variable coefficients, velocity and r
   // b = (3, x): 6xy + x^3. c = y: x^2 y^2.
   const Case c = with_problem(R"("diffusion": [["1+x", "y"], ["y", 2]], "velocity": [3, "x"], "reaction": "y",
       "exact": "x^2*y", "boundary": {"left": {"dirichlet": "exact"}, "right": {"neumann": "exact"},
-      "top": {"robin": {"coefficient": "1+x", "value": "exact"}}, "bottom": {"neumann": "exact + nx - 2*ny"}})");
+      "top": {"robin": {"coefficient": "1+x", "value": "exact"}}, "bottom": {"neumann": "exact + nx + 2*y"}})");
   const double x = 0.7;
   const double y = 0.4;
   const Point p{x, y};
@@ -109,7 +109,8 @@ TEST_CASE("A derived source knows tensors, variable coefficients, velocity and r
   CHECK(condition("top").kind == BoundaryKind::Robin);
   CHECK(condition("top").value(p, {0.0, 1.0}, 0) == Approx(flux_y + (1 + x) * x * x * y).epsilon(1e-14));
   CHECK(condition("top").coefficient(p, {0.0, 1.0}, 0) == 1.7);
-  CHECK(condition("bottom").value(p, {0.6, -0.8}, 0) == Approx(0.6 * flux_x - 0.8 * flux_y + 0.6 + 1.6).epsilon(1e-14));
+  CHECK(condition("bottom").value(p, {0.6, -0.8}, 0) ==
+        Approx(0.6 * flux_x - 0.8 * flux_y + 0.6 + 2 * y).epsilon(1e-14));
 }
 
 TEST_CASE("Coefficients that are zero are left empty", "[adapt][case]") {
@@ -222,6 +223,40 @@ TEST_CASE("A source or Dirichlet data that contradict the exact solution are fou
              Catch::Contains("/problem/source: does not agree with 'exact': at ("));
   CHECK_THAT(issue_text(case_text(exact + R"("boundary": {"*": {"dirichlet": 0}, "top": {"dirichlet": "0.1*x"}})")),
              Catch::Contains("the condition on 'top' does not agree with 'exact'"));
+}
+
+TEST_CASE("Fluxes and Robin data that contradict the exact solution are found, whichever way sides run",
+          "[adapt][case][errors]") {
+  const auto right = [](const std::string& condition) {
+    return issue_text(case_text(R"("exact": "x^2 + y", "diffusion": [[3, 1], [1, 2]],
+        "boundary": {"*": {"dirichlet": "exact"}, "right": )" +
+                                condition + "}"));
+  };
+  CHECK(right(R"({"neumann": 7})").empty());  // 3 * 2 x + 1
+  CHECK(right(R"({"neumann": "7*nx"})").empty());
+  CHECK(right(R"({"neumann": "exact"})").empty());
+  CHECK_THAT(right(R"({"neumann": 2})"),
+             Catch::Contains("'right' does not agree") && Catch::Contains("n.K grad u = 7"));
+  CHECK(right(R"({"robin": {"coefficient": 4, "value": "11 + 4*y"}})").empty());
+  CHECK(right(R"({"robin": {"coefficient": 4, "value": "exact"}})").empty());
+  CHECK_THAT(right(R"({"robin": {"coefficient": 4, "value": "4*exact"}})"), Catch::Contains("coefficient u = "));
+}
+
+TEST_CASE("A matrix may be as symmetric as rounding leaves it", "[adapt][case]") {
+  const auto with = [](const std::string& entry) {
+    return issue_text(case_text(R"("diffusion": [[1, 0.30000000000000004], [)" + entry + ", 1]], " + kZeroBoundary));
+  };
+  CHECK(with("0.3").empty());
+  CHECK_THAT(with("0.3000001"), Catch::Contains("must be symmetric"));
+}
+
+TEST_CASE("No side and no region is called *", "[adapt][case][errors]") {
+  const auto with = [](const std::string& more) {
+    return issue_text(R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}, )" + more +
+                      R"(}, "problem": {"interpolate": "x"}})");
+  };
+  CHECK_THAT(with(R"("labels": {"left": "*"})"), Catch::Contains("/geometry: a side may not be called \"*\""));
+  CHECK_THAT(with(R"("regions": {"*": [0.5, 0.5]})"), Catch::Contains("/geometry: a region may not be"));
 }
 
 TEST_CASE("Dirichlet data that know the normal are held against the exact solution with it", "[adapt][case][errors]") {

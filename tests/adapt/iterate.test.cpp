@@ -24,6 +24,16 @@ TEST_CASE("uniform_iterate comes close to the size asked for", "[adapt][loop]") 
   }
 }
 
+TEST_CASE("uniform_iterate makes no more vertices of a domain for being thin", "[adapt][loop]") {
+  for (const double height : {1e-3, 1e-6, 1e-9}) {
+    Case input = support::interpolation_case("x*x", "{}");
+    for (Point& p : input.domain.points) p.y *= height;
+    const Iterate start = uniform_iterate(input, 200);
+    CHECK(start.mesh.num_vertices() > 100);
+    CHECK(start.mesh.num_vertices() < 400);
+  }
+}
+
 TEST_CASE("compute_values interpolates, or solves", "[adapt][loop]") {
   const Case given = support::interpolation_case("x^2 - y", "{}");
   Iterate interpolant;

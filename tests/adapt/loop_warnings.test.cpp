@@ -5,6 +5,7 @@
 
 #include "adapt/adapt_loop.h"
 #include "tests/adapt/loop_cases.h"
+#include "tests/support/meshes.h"
 
 using namespace parmesan;
 
@@ -62,7 +63,8 @@ TEST_CASE("residuals tell of unresolved data, but not at Peclet numbers where th
 
 TEST_CASE("nothing is said of round-off", "[adapt][loop]") {
   const auto warnings = adapt(support::poisson_case("x + y", R"({"l2_error": 1e-20, "max_vertices": 300})"), {});
-  CHECK(is_round_off(warnings.summary.iterations.back().solution_error->l2, std::vector<double>{2.0}));
+  CHECK(is_round_off(warnings.summary.iterations.back().solution_error->l2, warnings.last.mesh,
+                     std::vector<double>{2.0}));
   for (const std::string& warning : warnings.summary.warnings) {
     CHECK(warning.find("cannot be told") == std::string::npos);
     CHECK(warning.find("defect_correction") == std::string::npos);
@@ -114,4 +116,28 @@ TEST_CASE("who wants a small L2 error is told of defect correction where Galerki
   }
   SECTION("not where nothing is known") { row.estimated_error.reset(); }
   CHECK_FALSE(hint_of_correction(targets, error, row));
+}
+
+TEST_CASE("what is round-off does not depend on the unit of length", "[adapt][loop]") {
+  Mesh mesh = support::rectangle_mesh(3, 3);
+  for (Point& p : mesh.points) p = {1e-10 * p.x, 1e-10 * p.y};
+  const std::vector<double> values{2.0};
+  CHECK_FALSE(is_round_off(1e-14, mesh, values));  // 1e-4 of the solution
+  CHECK(is_round_off(1e-24, mesh, values));
+}
+
+TEST_CASE("a point source where the solution is given is told of", "[adapt][loop]") {
+  const auto warned = [](const std::string& place) {
+    const Case input = parse_case(R"({"name": "test", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}},
+        "problem": {"boundary": {"right": {"dirichlet": 0}, "*": {"neumann": 0}},
+                    "point_sources": [{"at": )" +
+                                      place + R"(, "strength": 2}]},
+        "targets": {"vertices": 100, "max_iterations": 1}, "mesher": {"preset": "fast"}})",
+                                  "test.json");
+    return std::ranges::any_of(adapt(input, {}).summary.warnings,
+                               [](const std::string& w) { return w.find("it changes nothing") != w.npos; });
+  };
+  CHECK(warned("[1, 0.4]"));
+  CHECK_FALSE(warned("[0, 0.4]"));
+  CHECK_FALSE(warned("[0.99, 0.4]"));
 }

@@ -101,6 +101,19 @@ TEST_CASE("a run is not gone on with where a file that its case names has change
   CHECK_NOTHROW(run());
 }
 
+TEST_CASE("a run that is forced on with other targets is judged by these", "[adapt][run][resume]") {
+  const TemporaryFolder folder;
+  RunOptions options = into(folder);
+  const char* const peak = "exp(-50*((x - 0.5)^2 + (y - 0.5)^2))";
+  const RunResult first = run_case(support::poisson_case(peak, R"({"l2_error": 5e-3})"), options);
+  REQUIRE(first.summary.targets_met);
+  options.resume = options.force = true;
+  const RunResult next = run_case(support::poisson_case(peak, R"({"l2_error": 5e-4})"), options);
+  CHECK(next.summary.iterations.size() > first.summary.iterations.size());
+  CHECK(next.summary.targets_met);
+  CHECK(next.summary.iterations.back().solution_error->l2 <= 5e-4);
+}
+
 TEST_CASE("the same case leaves the same mesh file", "[adapt][run]") {
   const TemporaryFolder a;
   const TemporaryFolder b;

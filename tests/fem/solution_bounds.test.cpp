@@ -60,6 +60,18 @@ TEST_CASE("the signs of source, flux and reaction decide which bound holds", "[f
     CHECK(bounds_of(problem).lower == 0.0);
     CHECK(bounds_of(problem).upper == 2.0);
   }
+  SECTION("a source that decay balances") {
+    problem.boundary[Left] = dirichlet(constant(1));
+    problem.reaction = [](const Point&, int) { return 5.0; };
+    problem.source = [](const Point&, int) { return 15.0; };
+    CHECK(bounds_of(problem).lower == 1.0);
+    CHECK(bounds_of(problem).upper == Approx(3.0));
+    problem.source = [](const Point& p, int) { return 15.0 * p.x * p.y; };  // largest at a vertex
+    CHECK(bounds_of(problem).lower == Approx(0.0).margin(1e-5));
+    CHECK(bounds_of(problem).upper == Approx(3.0).margin(1e-5));
+    problem.reaction = [](const Point& p, int) { return p.x < 0.5 ? 5.0 : 0.0; };
+    CHECK_FALSE(bounds_of(problem).upper);
+  }
   SECTION("growth has no bounds") {
     problem.reaction = [](const Point&, int) { return -0.1; };
     CHECK_FALSE(bounds_of(problem).lower);
@@ -82,6 +94,24 @@ TEST_CASE("a source that is infinite somewhere bounds from one side, and one tha
   problem.source = [](const Point&, int) { return std::nan(""); };
   CHECK_FALSE(bounds_of(problem).lower);
   CHECK_FALSE(bounds_of(problem).upper);
+}
+
+TEST_CASE("sources on lines, where the flux of a divergence form jumps, count", "[fem][bounds]") {
+  Problem problem = between();
+  set_all(problem, dirichlet(constant(0.5)));
+  problem.source = [](const Point&, int) { return 0.0; };
+  // Of max(|x - 1/2|, |y - 1/2|): a pyramid that stands on its tip.
+  const auto slope = [](const Point& p, int) {
+    const Vector d{p.x - 0.5, p.y - 0.5};
+    return std::abs(d.x) > std::abs(d.y) ? Vector{std::copysign(1.0, d.x), 0.0} : Vector{0.0, std::copysign(1.0, d.y)};
+  };
+  problem.divergence_form = DivergenceForm{slope, nullptr};
+  CHECK_FALSE(bounds_of(problem).lower);
+  CHECK(bounds_of(problem).upper == 0.5);
+  problem.divergence_form->flux = [](const Point&, int) { return Vector{3.0, 0.1}; };
+  CHECK(bounds_of(problem).lower == 0.5);
+  problem.divergence_form->flux = [](const Point& p, int) { return Vector{p.y, p.x}; };
+  CHECK(bounds_of(problem).lower == 0.5);
 }
 
 TEST_CASE("where no data hold the solution it has no bounds", "[fem][bounds]") {
