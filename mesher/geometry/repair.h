@@ -70,11 +70,22 @@ struct StraightSegments {
 /// for coordinates over 1e75.
 void check_input(const Domain& domain);
 
-/// Equal points, and those nearer than the domain's tolerance, become the first of them, straight segments are bent to
-/// points within the tolerance, and points near the end of a curve to rounding become that; the order of the others
-/// stays. The domain's notes become the first repairs.
+/// A copy without a merge tolerance; each point and segment is its own source. The notes become the first repairs.
+DomainRepair begin_repair(const Domain& domain);
+
+/// Equal points become the first of them, and points near the end of a curve to rounding become that; the order of the
+/// others stays.
+DomainRepair merge_equal_points(DomainRepair repair);
+
+/// Points nearer than the tolerance become the first of them, ends of curves before others; the order of the others
+/// stays. Straight segments are bent to points as near, and pairs of them that come to be joined may go. given: the
+/// domain that is under repair, of which nothing was changed yet.
 /// Errors: GeometryError for a seed of a hole or region that is nearer than the tolerance to a straight segment, once
 /// points are merged or segments bent by it.
+DomainRepair apply_merge_tolerance(DomainRepair repair, const Domain& given);
+
+/// Begins the repair of a domain, and applies its tolerance if it has one, or merges equal points.
+/// Errors: as of these.
 DomainRepair merge_points(const Domain& domain);
 
 /// Replaces each straight segment by the chain through the points beside it that are nearer than the tolerance to it as

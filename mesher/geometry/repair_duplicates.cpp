@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "mesher/errors.h"
@@ -29,10 +30,10 @@ std::vector<bool> curve_ends(const Domain& domain) {
   return result;
 }
 
-/// For each point the one that it becomes by the domain's tolerance; points that are kept are as far apart as that.
-std::vector<int> first_within(const Domain& domain) {
+/// For each point the one that it becomes by a tolerance; points that are kept are as far apart as that.
+std::vector<int> first_within(const Domain& domain, double tolerance) {
   const std::vector<bool> ends_curve = curve_ends(domain);
-  KeptPoints kept(domain.points, domain.merge_tolerance);
+  KeptPoints kept(domain.points, tolerance);
   std::vector<int> result(domain.points.size());
   for (const bool of_curve : {true, false})
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -59,6 +60,30 @@ std::vector<int> first_but_for_rounding(const Domain& domain) {
   return result;
 }
 
+/// Each point becomes the one that it is given, which becomes itself; notes it by the verb and noun.
+DomainRepair replace_points(DomainRepair repair, const std::vector<int>& first, std::string_view verb,
+                            std::string_view noun) {
+  const std::vector<Point> points = std::exchange(repair.domain.points, {});
+  const std::vector<int> sources = std::exchange(repair.point_sources, {});
+  std::vector<int> renumbered(points.size());
+  std::vector<std::string> merged;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (at(first[i]) == i) {
+      renumbered[i] = static_cast<int>(repair.domain.points.size());
+      repair.domain.points.push_back(points[i]);
+      repair.point_sources.push_back(sources[i]);
+    } else {
+      merged.push_back(number_text(repair.domain, sources[i]) + " into " +
+                       number_text(repair.domain, sources[at(first[i])]));
+    }
+  }
+  const auto new_number = [&](int i) { return renumbered[at(first[at(i)])]; };
+  for (Segment& s : repair.domain.segments) s = piece_of(s, new_number(s.a), new_number(s.b));
+  for (int& v : repair.domain.required_points) v = new_number(v);
+  repair.note(verb, noun, merged);
+  return repair;
+}
+
 /// The faces of seeds this near to a segment may have closed: holes would take away, and regions cover, what is around
 /// them.
 void refuse_seeds_near_segments(const Domain& domain, double tolerance) {
@@ -76,40 +101,27 @@ void refuse_seeds_near_segments(const Domain& domain, double tolerance) {
 
 }  // namespace
 
+DomainRepair merge_equal_points(DomainRepair repair) {
+  const std::vector<int> first = first_but_for_rounding(repair.domain);
+  return replace_points(std::move(repair), first, "merged", "duplicate point");
+}
+
+DomainRepair apply_merge_tolerance(DomainRepair repair, const Domain& given) {
+  const double tolerance = given.merge_tolerance;
+  const std::vector<int> first = first_within(repair.domain, tolerance);
+  repair = replace_points(std::move(repair), first, "by the tolerance " + text(tolerance) + " merged", "point");
+  repair = bend_to_near_points(std::move(repair), given);
+  const bool any_merged = repair.domain.points.size() < given.points.size();
+  const bool any_bent = repair.domain.segments.size() > given.segments.size();
+  if (any_bent || any_merged) refuse_seeds_near_segments(repair.domain, tolerance);
+  if (any_bent) refuse_seeds_near_segments(given, tolerance);  // what lies between is as near
+  return drop_joined_pairs(std::move(repair), given);
+}
+
 DomainRepair merge_points(const Domain& domain) {
-  DomainRepair repair{.domain = domain, .point_sources = {}, .segment_sources = {}, .repairs = domain.notes};
-  repair.domain.notes.clear();
-  repair.domain.points.clear();
-  repair.domain.merge_tolerance = 0.0;
-  const bool by_tolerance = domain.merge_tolerance > 0.0;
-  const std::vector<int> first = by_tolerance ? first_within(domain) : first_but_for_rounding(domain);
-  std::vector<int> renumbered(domain.points.size());
-  std::vector<std::string> merged;
-  for (std::size_t i = 0; i < domain.points.size(); ++i) {
-    if (first[i] == static_cast<int>(i)) {
-      renumbered[i] = static_cast<int>(repair.domain.points.size());
-      repair.domain.points.push_back(domain.points[i]);
-      repair.point_sources.push_back(first[i]);
-    } else {
-      merged.push_back(number_text(domain, static_cast<int>(i)) + " into " + number_text(domain, first[i]));
-    }
-  }
-  const auto new_number = [&](int i) { return renumbered[at(first[at(i)])]; };
-  for (Segment& s : repair.domain.segments) {
-    s.a = new_number(s.a);
-    s.b = new_number(s.b);
-  }
-  for (int& v : repair.domain.required_points) v = new_number(v);
-  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) repair.segment_sources.push_back({s});
-  const std::string near = "by the tolerance " + text(domain.merge_tolerance) + " merged";
-  repair.note(by_tolerance ? near : "merged", by_tolerance ? "point" : "duplicate point", merged);
-  if (!by_tolerance) return repair;
-  const std::size_t num_segments = repair.domain.segments.size();
-  repair = bend_to_near_points(std::move(repair), domain);
-  const bool any_bent = repair.domain.segments.size() > num_segments;
-  if (any_bent || !merged.empty()) refuse_seeds_near_segments(repair.domain, domain.merge_tolerance);
-  if (any_bent) refuse_seeds_near_segments(domain, domain.merge_tolerance);  // what lies between is as near
-  return drop_joined_pairs(std::move(repair), domain);
+  DomainRepair repair = begin_repair(domain);
+  if (domain.merge_tolerance > 0.0) return apply_merge_tolerance(std::move(repair), domain);
+  return merge_equal_points(std::move(repair));
 }
 
 }  // namespace parmesan

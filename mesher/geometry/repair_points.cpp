@@ -58,6 +58,15 @@ void DomainRepair::note(std::string_view verb, std::string_view noun, const std:
   repairs.push_back(std::move(result));
 }
 
+DomainRepair begin_repair(const Domain& domain) {
+  DomainRepair repair{.domain = domain, .point_sources = {}, .segment_sources = {}, .repairs = domain.notes};
+  repair.domain.notes.clear();
+  repair.domain.merge_tolerance = 0.0;
+  for (int i = 0; i < static_cast<int>(domain.points.size()); ++i) repair.point_sources.push_back(i);
+  for (int s = 0; s < static_cast<int>(domain.segments.size()); ++s) repair.segment_sources.push_back({s});
+  return repair;
+}
+
 void check_input(const Domain& domain) {
   if (!(domain.merge_tolerance >= 0.0 && std::isfinite(domain.merge_tolerance)))
     throw GeometryError("the merge tolerance must be a length or 0, not " + text(domain.merge_tolerance));
