@@ -114,6 +114,10 @@ void require_extent(const DomainRepair& repair);
 /// Drops segments of no length, and those that join the same points as an earlier one.
 DomainRepair drop_repeated_segments(DomainRepair repair);
 
+/// Replaces each segment by the chain through points along it, in their order from a to b; one that is where the chain
+/// has come to makes no piece. Shape: along is one list for each segment.
+DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>>& along);
+
 /// At most so many crossings are split at a time.
 inline constexpr std::size_t max_split_crossings = 1'000'000;
 

@@ -55,24 +55,6 @@ std::vector<std::vector<int>> crossings_along(DomainRepair& repair, const std::v
   return along;
 }
 
-DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>>& along) {
-  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    int from = segments[s].a;
-    const auto add_up_to = [&](int v) {
-      if (v != from) {
-        repair.domain.segments.push_back(piece_of(segments[s], from, v));
-        repair.segment_sources.push_back(sources[s]);
-      }
-      from = v;
-    };
-    for (const int v : along[s]) add_up_to(v);
-    add_up_to(segments[s].b);
-  }
-  return repair;
-}
-
 std::vector<Crossing> straight_crossings(const DomainRepair& repair) {
   const StraightSegments straight(repair.domain.segments);
   std::vector<Crossing> crossings;

@@ -83,27 +83,6 @@ std::vector<PointBeside> points_on_bends(const Domain& domain, const Domain& giv
   return chosen;
 }
 
-/// Replaces segments by the chains through the points beside them.
-void bend(DomainRepair& repair, const std::vector<PointBeside>& beside, std::vector<std::string>& notes) {
-  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
-  auto next = beside.begin();
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    int from = segments[s].a;
-    const auto add_piece = [&](int to) {
-      repair.domain.segments.push_back(piece_of(segments[s], from, to));
-      repair.segment_sources.push_back(sources[s]);
-      from = to;
-    };
-    for (; next != beside.end() && at(next->segment) == s; ++next) {
-      notes.push_back("segment " + number_text(repair.domain, sources[s].number) + " to point " +
-                      repair.point_text(next->point));
-      add_piece(next->point);
-    }
-    add_piece(segments[s].b);
-  }
-}
-
 }  // namespace
 
 DomainRepair note_close_points(DomainRepair repair) {
@@ -128,8 +107,13 @@ DomainRepair note_close_points(DomainRepair repair) {
 }
 
 DomainRepair bend_to_near_points(DomainRepair repair, const Domain& given) {
+  std::vector<std::vector<int>> along(repair.domain.segments.size());
   std::vector<std::string> notes;
-  bend(repair, points_on_bends(repair.domain, given), notes);
+  for (const PointBeside& one : points_on_bends(repair.domain, given)) {
+    along[at(one.segment)].push_back(one.point);
+    notes.push_back("segment " + repair.segment_text(one.segment) + " to point " + repair.point_text(one.point));
+  }
+  repair = split_along(std::move(repair), along);
   repair.note("by the tolerance " + text(given.merge_tolerance) + " made", "bend", notes);
   return repair;
 }

@@ -49,15 +49,11 @@ std::vector<Point> points_and_seeds(const Domain& domain) {
   return points;
 }
 
-/// The ends of a segment and the points inside it, in their order from a to b. On one line the
-/// order by (x, y) is the order along the line.
-std::vector<int> chain_along(const DomainRepair& repair, const Segment& segment, std::vector<int> inner) {
-  inner.push_back(segment.a);
-  inner.push_back(segment.b);
-  std::sort(inner.begin(), inner.end(),
-            [&repair](int i, int j) { return comes_before(repair.point(i), repair.point(j)); });
-  if (inner.front() != segment.a) std::reverse(inner.begin(), inner.end());
-  return inner;
+/// Puts points inside a segment in their order from a to b. On one line the order by (x, y) is the order along the
+/// line.
+void sort_along(const DomainRepair& repair, const Segment& segment, std::vector<int>& inner) {
+  std::ranges::sort(inner, comes_before, [&repair](int v) { return repair.point(v); });
+  if (comes_before(repair.point(segment.b), repair.point(segment.a))) std::ranges::reverse(inner);
 }
 
 /// The points where only one segment ends, and whether some segments enclose an area.
@@ -156,35 +152,38 @@ DomainRepair drop_joined_pairs(DomainRepair repair, const Domain& given) {
   return repair;
 }
 
+DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>>& along) {
+  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
+  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    int from = segments[s].a;
+    const auto add_piece = [&](int to) {
+      repair.domain.segments.push_back(piece_of(segments[s], from, to));
+      repair.segment_sources.push_back(sources[s]);
+      from = to;
+    };
+    for (const int v : along[s])
+      if (v != from) add_piece(v);
+    if (from != segments[s].b || along[s].empty()) add_piece(segments[s].b);
+  }
+  return repair;
+}
+
 DomainRepair split_at_inner_vertices(DomainRepair repair) {
   const int num_points = static_cast<int>(repair.domain.points.size());
   const StraightSegments straight(repair.domain.segments);
-  std::vector<std::array<int, 2>> contacts = points_inside_segments(points_and_seeds(repair.domain), straight.segments);
-  for (auto& contact : contacts) contact[0] = straight.index(contact[0]);
+  const auto contacts = points_inside_segments(points_and_seeds(repair.domain), straight.segments);
   if (contacts.empty()) return repair;
-  const std::vector<Segment> segments = std::exchange(repair.domain.segments, {});
-  const std::vector<SegmentSource> sources = std::exchange(repair.segment_sources, {});
+  std::vector<std::vector<int>> along(repair.domain.segments.size());
   std::vector<std::string> split;
-  auto contact = contacts.begin();
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    std::vector<int> inner;
-    for (; contact != contacts.end() && (*contact)[0] == static_cast<int>(s); ++contact) {
-      const int v = (*contact)[1];
-      if (v >= num_points) refuse_seed(repair.domain, v - num_points, sources[s].number);
-      inner.push_back(v);
-      split.push_back(number_text(repair.domain, sources[s].number) + " at point " + repair.point_text(v));
-    }
-    if (inner.empty()) {
-      repair.domain.segments.push_back(segments[s]);
-      repair.segment_sources.push_back(sources[s]);
-      continue;
-    }
-    const std::vector<int> chain = chain_along(repair, segments[s], std::move(inner));
-    for (std::size_t k = 1; k < chain.size(); ++k) {
-      repair.domain.segments.push_back(piece_of(segments[s], chain[k - 1], chain[k]));
-      repair.segment_sources.push_back(sources[s]);
-    }
+  for (const auto& [i, v] : contacts) {
+    const int s = straight.index(i);
+    if (v >= num_points) refuse_seed(repair.domain, v - num_points, repair.source_segment(s));
+    along[at(s)].push_back(v);
+    split.push_back(repair.segment_text(s) + " at point " + repair.point_text(v));
   }
+  for (std::size_t s = 0; s < along.size(); ++s) sort_along(repair, repair.domain.segments[s], along[s]);
+  repair = split_along(std::move(repair), along);
   repair.note("split segments at", "inner point", split);
   return drop_repeated_segments(std::move(repair));
 }
@@ -196,21 +195,18 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
       for (const int v : {s.a, s.b}) ++cracks[at(v)];
   // Whether other segments there are the boundary, where it would be open, is not known yet.
   const auto may_be_tip = [&](int v) { return cracks[at(v)] == 1; };
+  std::vector<std::vector<int>> along(repair.domain.segments.size());
   int next_source = repair.next_source_point();
   bool any_curved = false;
-  const std::size_t num_segments = repair.domain.segments.size();
-  for (std::size_t i = 0; i < num_segments; ++i) {
-    const Segment whole = repair.domain.segments[i];
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    const Segment& whole = repair.domain.segments[i];
     if (!whole.label_right || !may_be_tip(whole.a) || !may_be_tip(whole.b)) continue;
-    const int middle = static_cast<int>(repair.domain.points.size());
+    if (whole.is_straight()) along[i].push_back(static_cast<int>(repair.domain.points.size()));
+    any_curved = any_curved || !whole.is_straight();
     repair.domain.points.push_back(point_on(repair.domain, whole, 0.5));
     repair.point_sources.push_back(next_source++);
-    any_curved = any_curved || !whole.is_straight();
-    if (!whole.is_straight()) continue;
-    repair.domain.segments[i] = piece_of(whole, whole.a, middle);
-    repair.domain.segments.push_back(piece_of(whole, middle, whole.b));
-    repair.segment_sources.push_back(repair.segment_sources[i]);
   }
+  repair = split_along(std::move(repair), along);
   return any_curved ? cut_curves(std::move(repair)) : std::move(repair);
 }
 
