@@ -35,9 +35,7 @@ struct Subdivision {
 /// Of a domain with curves that nothing crosses: to see that takes much less time than to look for the crossings.
 std::optional<Subdivision> uncrossed(const Domain& bare, const Domain& seeds) {
   if (!has_curves(bare)) return std::nullopt;
-  DomainRepair graph = split_curves(merge_points(bare));
-  require_extent(graph);
-  graph = split_at_inner_vertices(drop_repeated_segments(std::move(graph)));
+  DomainRepair graph = split_at_inner_vertices(first_stages(bare));
   try {
     refuse_straight_crossings(graph);
   } catch (const GeometryError&) {

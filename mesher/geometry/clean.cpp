@@ -6,12 +6,15 @@
 
 namespace parmesan {
 
-CleanDomain clean(const Domain& domain, Crossings crossings) {
+DomainRepair first_stages(const Domain& domain) {
   check_input(domain);
-  DomainRepair repair = merge_points(domain);
-  repair = split_curves(std::move(repair));
+  DomainRepair repair = split_curves(merge_points(domain));
   require_extent(repair);
-  repair = drop_repeated_segments(std::move(repair));
+  return drop_repeated_segments(std::move(repair));
+}
+
+CleanDomain clean(const Domain& domain, Crossings crossings) {
+  DomainRepair repair = first_stages(domain);
   require_seeds_off_points(repair);
   const bool none_cross = refuse_evident_crossings(repair, crossings);
   repair = split_at_inner_vertices(std::move(repair));

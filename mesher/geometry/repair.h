@@ -118,6 +118,10 @@ DomainRepair drop_repeated_segments(DomainRepair repair);
 /// has come to makes no piece. Shape: along is one list for each segment.
 DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>>& along);
 
+/// What every repair begins with: check_input, merge_points, split_curves, require_extent, drop_repeated_segments.
+/// Errors: as of these.
+DomainRepair first_stages(const Domain& domain);
+
 /// At most so many crossings are split at a time.
 inline constexpr std::size_t max_split_crossings = 1'000'000;
 

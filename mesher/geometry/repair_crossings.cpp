@@ -100,10 +100,7 @@ DomainRepair split_at_crossings(DomainRepair repair) {
 }
 
 DomainRepair subdivide(const Domain& domain) {
-  check_input(domain);
-  DomainRepair repair = split_curves(merge_points(domain));
-  require_extent(repair);
-  repair = drop_repeated_segments(std::move(repair));
+  DomainRepair repair = first_stages(domain);
   refuse_evident_crossings(repair, Crossings::Split);
   return split_at_crossings(split_at_inner_vertices(std::move(repair)));
 }
