@@ -1,10 +1,25 @@
 #include "mesher/geometry/clean.h"
 
+#include <cstddef>
 #include <utility>
 
 #include "mesher/geometry/repair.h"
 
 namespace parmesan {
+namespace {
+
+/// Splits segments at points inside them, which takes long among many crossings: what evidently crosses is refused
+/// first. Errors: GeometryError for segments that cross.
+DomainRepair split_without_crossings(DomainRepair repair) {
+  constexpr std::size_t max_crossings = 1000;
+  const EvidentCrossings found = evident_crossings(repair, max_crossings);
+  refuse_crossings_off_points(repair, found);
+  repair = split_at_inner_vertices(std::move(repair));
+  if (!found.are_none()) refuse_straight_crossings(repair);
+  return repair;
+}
+
+}  // namespace
 
 DomainRepair first_stages(const Domain& domain) {
   check_input(domain);
@@ -16,11 +31,12 @@ DomainRepair first_stages(const Domain& domain) {
 CleanDomain clean(const Domain& domain, Crossings crossings) {
   DomainRepair repair = first_stages(domain);
   require_seeds_off_points(repair);
-  const bool none_cross = refuse_evident_crossings(repair, crossings);
-  repair = split_at_inner_vertices(std::move(repair));
-  if (crossings == Crossings::Split) repair = split_at_crossings(std::move(repair));
-  const bool may_cross = !none_cross || crossings == Crossings::Split;  // points where curves are split are rounded
-  if (may_cross) refuse_straight_crossings(repair);
+  if (crossings == Crossings::Split) {
+    repair = split_at_crossings(std::move(repair));
+    refuse_straight_crossings(repair);  // points where curves are split are rounded
+  } else {
+    repair = split_without_crossings(std::move(repair));
+  }
   refuse_curve_conflicts(repair);
   repair = halve_single_cracks(std::move(repair));
   repair = require_enclosure(std::move(repair));

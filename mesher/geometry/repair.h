@@ -1,11 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "mesher/geometry/domain.h"
+#include "mesher/geometry/segment_contacts.h"
 #include "mesher/index.h"
 #include "mesher/number_text.h"
 
@@ -122,9 +124,6 @@ DomainRepair split_along(DomainRepair repair, const std::vector<std::vector<int>
 /// Errors: as of these.
 DomainRepair first_stages(const Domain& domain);
 
-/// At most so many crossings are split at a time.
-inline constexpr std::size_t max_split_crossings = 1'000'000;
-
 /// Errors: GeometryError for a seed at a point.
 void require_seeds_off_points(const DomainRepair& repair);
 
@@ -135,20 +134,23 @@ DomainRepair split_at_inner_vertices(DomainRepair repair);
 /// Curves that run together from one end to the other become one, as segments that join the same points do.
 DomainRepair merge_equal_curves(DomainRepair repair);
 
-/// Splits segments that cross where they do, until none is left: rounded crossing points turn the pieces a
-/// little, which may make them cross others. No rounding is known that ends for sure, so rounds are counted. Curves
-/// are split where they cross other segments, but neither themselves nor what they touch between points.
+/// Splits segments at points inside them and where they cross, until no crossing is left: rounded crossing points turn
+/// the pieces a little, which may make them cross others. No rounding is known that ends for sure, so rounds are
+/// counted. Curves are split where they cross other segments, but neither themselves nor what they touch between
+/// points.
+/// Errors: GeometryError for a million crossings, and as split_at_inner_vertices.
 DomainRepair split_at_crossings(DomainRepair repair);
 
 /// The planar subdivision that these stages make of a domain without seeds.
 /// Errors: as of the stages.
 DomainRepair subdivide(const Domain& domain);
 
-/// Refuses what crosses before the stages that take long among many crossings; a crossing in a point of the domain is
-/// none, once both segments are split there. Returns whether certainly no straight segments cross.
-/// Errors: GeometryError for segments that cross, with both and the point; if they are to be split, for a million of
-/// them.
-bool refuse_evident_crossings(const DomainRepair& repair, Crossings crossings);
+/// Crossings of straight segments, by the numbers of these, found in bounded time: as the search among segments.
+EvidentCrossings evident_crossings(const DomainRepair& repair, std::size_t max_crossings);
+
+/// A crossing in a point of the domain is none, once both segments are split there. Of the first 20 that were found.
+/// Errors: GeometryError for segments that cross elsewhere, with both and the point.
+void refuse_crossings_off_points(const DomainRepair& repair, const EvidentCrossings& found);
 
 /// Errors: GeometryError for segments that cross, with both and the point.
 void refuse_straight_crossings(const DomainRepair& repair);

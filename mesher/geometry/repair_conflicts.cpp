@@ -32,21 +32,22 @@ bool cross_in_point(const DomainRepair& repair, int s, int t) {
 
 }  // namespace
 
-bool refuse_evident_crossings(const DomainRepair& repair, Crossings crossings) {
-  const bool are_split = crossings == Crossings::Split;
-  constexpr std::size_t most_in_points = 20;  // looked at one by one
-  const std::size_t most = are_split ? max_split_crossings : 1000;
+EvidentCrossings evident_crossings(const DomainRepair& repair, std::size_t max_crossings) {
   const StraightSegments straight(repair.domain.segments);
-  const EvidentCrossings found = evident_crossings(repair.domain.points, straight.segments, most);
-  if (are_split && found.pairs.size() >= most)
-    throw GeometryError("more than " + std::to_string(most) +
-                        " pairs of segments cross, which are too many to be split");
-  for (std::size_t i = 0; i < std::min(found.pairs.size(), most_in_points) && !are_split; ++i) {
-    const auto [s, t] = found.pairs[i];
-    if (!cross_in_point(repair, straight.index(s), straight.index(t)))
-      refuse_crossing(repair, straight.index(s), straight.index(t));
+  EvidentCrossings found = evident_crossings(repair.domain.points, straight.segments, max_crossings);
+  for (auto& [s, t] : found.pairs) {
+    s = straight.index(s);
+    t = straight.index(t);
   }
-  return found.are_all && found.pairs.empty();
+  return found;
+}
+
+void refuse_crossings_off_points(const DomainRepair& repair, const EvidentCrossings& found) {
+  constexpr std::size_t most_in_points = 20;  // looked at one by one
+  for (std::size_t i = 0; i < std::min(found.pairs.size(), most_in_points); ++i) {
+    const auto [s, t] = found.pairs[i];
+    if (!cross_in_point(repair, s, t)) refuse_crossing(repair, s, t);
+  }
 }
 
 void refuse_straight_crossings(const DomainRepair& repair) {

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
+#include "mesher/errors.h"
 #include "mesher/geometry/curve_crossings.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/geometry/segment_contacts.h"
@@ -9,6 +11,15 @@
 
 namespace parmesan {
 namespace {
+
+/// At most so many crossings are split at a time.
+constexpr std::size_t max_split_crossings = 1'000'000;
+
+void refuse_too_many_crossings(const DomainRepair& repair) {
+  if (evident_crossings(repair, max_split_crossings).pairs.size() < max_split_crossings) return;
+  throw GeometryError("more than " + std::to_string(max_split_crossings) +
+                      " pairs of segments cross, which are too many to be split");
+}
 
 /// The points of a domain by their place; a new place gets a new point, numbered after the user's.
 class PointIndex {
@@ -79,6 +90,8 @@ DomainRepair split_at_crossings(DomainRepair repair) {
   constexpr int max_curve_rounds = 30;  // for curves that run so near to each other that rounding makes crossings
   int curve_rounds = 0;
   std::vector<std::string> notes;
+  refuse_too_many_crossings(repair);
+  repair = split_at_inner_vertices(std::move(repair));
   for (int round = 0; round < max_rounds; ++round) {
     std::vector<Crossing> crossings = straight_crossings(repair);
     const bool are_straight = !crossings.empty();
@@ -99,10 +112,6 @@ DomainRepair split_at_crossings(DomainRepair repair) {
   return repair;
 }
 
-DomainRepair subdivide(const Domain& domain) {
-  DomainRepair repair = first_stages(domain);
-  refuse_evident_crossings(repair, Crossings::Split);
-  return split_at_crossings(split_at_inner_vertices(std::move(repair)));
-}
+DomainRepair subdivide(const Domain& domain) { return split_at_crossings(first_stages(domain)); }
 
 }  // namespace parmesan

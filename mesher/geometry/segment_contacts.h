@@ -28,6 +28,9 @@ std::vector<std::array<int, 2>> segment_crossings(std::span<const Point> points,
 struct EvidentCrossings {
   std::vector<std::array<int, 2>> pairs;
   bool are_all = false;
+
+  /// Whether certainly no segments cross.
+  bool are_none() const { return are_all && pairs.empty(); }
 };
 
 /// The same, but the search also ends early when it gets dear, as it does among segments that overlap.
