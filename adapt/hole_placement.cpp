@@ -7,7 +7,7 @@
 #include "mesher/geometry/bounding_diagonal.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/index.h"
-#include "mesher/operands.h"
+#include "mesher/triangulation/face_walks.h"
 
 namespace parmesan {
 namespace {
@@ -58,7 +58,7 @@ void HoleFaces::walk() {
       if (hole >= 0 && !around.insert(hole).second) around.erase(hole);
     }
   };
-  walk_faces(found_.num_segments(), found_.faces(), cross, [&](int face) { holes_around_[at(face)] = around; });
+  walk_faces(found_.faces(), cross, [&](int face) { holes_around_[at(face)] = around; });
 }
 
 std::vector<HoleFault> HoleFaces::faults() const {

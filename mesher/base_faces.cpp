@@ -10,7 +10,7 @@
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
-#include "mesher/operands.h"
+#include "mesher/triangulation/face_walks.h"
 
 namespace parmesan {
 namespace {
@@ -185,7 +185,7 @@ void BaseFaces::find_parts() {
 }
 
 void BaseFaces::find_inside(const Domain& domain, std::size_t num_holes) {
-  const std::vector<int> layers = layers_of(num_segments(), faces_, [this](int s) { return is_of_base(s); });
+  const std::vector<int> layers = layers_of(faces_, [this](int s) { return is_of_base(s); });
   std::vector<char> is_cut(layers.size(), 0);  // of each part
   for (std::size_t i = 0; i < num_holes; ++i) is_cut[at(part(faces_.at(domain.holes[i])))] = 1;
   for (int face = 0; face < faces_.count(); ++face) {

@@ -12,6 +12,7 @@
 #include "mesher/geometry/repair.h"
 #include "mesher/index.h"
 #include "mesher/operands.h"
+#include "mesher/triangulation/face_walks.h"
 #include "mesher/triangulation/faces.h"
 
 namespace parmesan {
@@ -33,7 +34,7 @@ class Arrangement {
   Arrangement(SetOperation operation, const Operands& operands, DomainRepair subdivision)
       : operands_(operands), subdivision_(std::move(subdivision)), faces_(subdivision_.domain) {
     find_faces(operation);
-    for (int s = 0; s < num_segments(); ++s) sources_kept_.push_back(source_kept(s));
+    for (int s = 0; s < faces_.num_segments(); ++s) sources_kept_.push_back(source_kept(s));
     find_groups();
     find_regions();
   }
@@ -41,8 +42,6 @@ class Arrangement {
   Result result() const;
 
  private:
-  int num_segments() const { return static_cast<int>(subdivision_.domain.segments.size()); }
-
   /// The segments of the operands that run along one of the subdivision.
   std::vector<int> sources(int segment) const { return subdivision_.segment_sources[at(segment)].all(); }
 
@@ -83,7 +82,7 @@ void Arrangement::find_faces(SetOperation operation) {
       inside = static_cast<char>(inside == 0);
     }
   };
-  walk_faces(num_segments(), faces_, cross, [&](int face) {
+  walk_faces(faces_, cross, [&](int face) {
     num_around[at(face)] = num_inside;
     is_in_first[at(face)] = is_inside[0];
   });
@@ -110,7 +109,7 @@ std::optional<int> Arrangement::source_kept(int segment) const {
 
 void Arrangement::find_groups() {
   DisjointSets groups(at(faces_.count()));
-  for (int s = 0; s < num_segments(); ++s)
+  for (int s = 0; s < faces_.num_segments(); ++s)
     if (!sources_kept_[at(s)]) groups.unite(faces_.beside(s)[0], faces_.beside(s)[1]);
   groups_.reserve(at(faces_.count()));
   for (int face = 0; face < faces_.count(); ++face) groups_.push_back(groups.find(face));
@@ -133,7 +132,7 @@ void Arrangement::find_regions() {
   for (std::size_t first = 0, last = 0; first < seeds.size(); first = last) {
     const int owner = operands_.region_owners[first];
     DisjointSets parts(has_region.size());
-    for (int s = 0; s < num_segments(); ++s)
+    for (int s = 0; s < faces_.num_segments(); ++s)
       if (!is_of(owner, s)) parts.unite(faces_.beside(s)[0], faces_.beside(s)[1]);
     std::map<int, int> region_of_part;
     for (; last < seeds.size() && operands_.region_owners[last] == owner; ++last)
@@ -224,7 +223,7 @@ Result Arrangement::result() const {
   domain.segments.clear();
   domain.holes.clear();
   domain.inside = Inside::HoleSeeds;
-  for (int s = 0; s < num_segments(); ++s) {
+  for (int s = 0; s < faces_.num_segments(); ++s) {
     if (!sources_kept_[at(s)]) continue;
     const auto& [left, right] = faces_.beside(s);
     domain.segments.push_back(labelled(s, *sources_kept_[at(s)]));
@@ -260,8 +259,7 @@ bool is_fit(const Result& result) {
   std::vector<char> inside(at(faces.count()), 0);
   bool is_in = false;
   walk_faces(
-      static_cast<int>(result.domain.segments.size()), faces,
-      [&](int s) { is_in = is_in != (result.is_border[at(s)] != 0); },
+      faces, [&](int s) { is_in = is_in != (result.is_border[at(s)] != 0); },
       [&](int face) { inside[at(face)] = static_cast<char>(is_in); });
   const auto is_inside = [&](const Point& p) { return inside[at(faces.at(p))] != 0; };
   return std::ranges::none_of(result.domain.holes, is_inside) &&

@@ -26,6 +26,7 @@ class Faces {
   Faces(const Outline& outline, std::size_t num_segments);
 
   int count() const { return count_; }
+  int num_segments() const { return static_cast<int>(beside_.size()); }  // of the domain
 
   /// The faces to the left and to the right of a segment of the domain.
   const std::array<int, 2>& beside(int segment) const { return beside_[static_cast<std::size_t>(segment)]; }

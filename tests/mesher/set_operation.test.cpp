@@ -13,7 +13,6 @@
 #include "mesher/generate.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/segment_path.h"
-#include "mesher/operands.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/curved_domains.h"
 #include "tests/support/domains.h"
@@ -194,37 +193,6 @@ TEST_CASE("Of many random polygons, points are where they should be", "[mesher][
       }
     }
   }
-}
-
-TEST_CASE("A walk through the faces comes into each of them across the borders around it", "[mesher][sets]") {
-  struct Square {
-    double low, high;
-  };
-  const std::vector<Square> squares{{0, 20}, {2, 8}, {3, 5}, {10, 18}, {12, 14}, {30, 40}};  // along the diagonal
-  Domain domain;
-  for (const auto& [low, high] : squares)
-    support::add_polygon(domain, {{low, low}, {high, low}, {high, high}, {low, high}}, 0);
-  const Faces faces(domain);
-  REQUIRE(faces.count() == 7);
-  const std::vector<FacePoint> points = faces.points_inside();
-  std::vector<char> is_inside(squares.size(), 0);
-  std::vector<int> visits(7, 0);
-  walk_faces(
-      static_cast<int>(domain.segments.size()), faces,
-      [&](int s) {
-        char& inside = is_inside[static_cast<std::size_t>(s / 4)];
-        inside = inside == 0 ? 1 : 0;
-      },
-      [&](int face) {
-        ++visits[static_cast<std::size_t>(face)];
-        const Point& p = points[static_cast<std::size_t>(face)].place;
-        for (std::size_t i = 0; i < squares.size(); ++i) {
-          const auto& [low, high] = squares[i];
-          CHECK((is_inside[i] != 0) == (face != 0 && std::min(p.x, p.y) > low && std::max(p.x, p.y) < high));
-        }
-      });
-  CHECK(visits == std::vector<int>(7, 1));
-  CHECK(is_inside == std::vector<char>(squares.size(), 0));
 }
 
 TEST_CASE("Pieces of boundaries keep their label, corners their coordinates", "[mesher][sets]") {
