@@ -63,7 +63,7 @@ Point middle_of(const ParticleSystem& particles, EdgeId e) {
 void reinsert(ParticleSystem& particles, VertexId v, const Point& p) {
   Triangulation& mesh = particles.mesh();
   const VertexId near = mesh.dest(mesh.edge_of(v));
-  legalize(mesh, remove_star(mesh, v), MetricInCircle{particles}, max_flips);
+  remove_site(mesh, v, MetricInCircle{particles}, max_flips);
   const Location where = locate(mesh, p, mesh.edge_of(near));
   [[maybe_unused]] const VertexId again =
       where.hit == Hit::Edge ? mesh.split_edge(where.edge, p) : mesh.split_face(where.edge, p);
@@ -135,7 +135,7 @@ EdgeId edge_to_collapse(const ParticleSystem& particles, VertexId v) {
 bool annihilate(ParticleSystem& particles, VertexId v, Annihilation how) {
   Triangulation& mesh = particles.mesh();
   if (how == Annihilation::Removal && particles.is_free(v)) {
-    legalize(mesh, remove_star(mesh, v), MetricInCircle{particles}, max_flips);
+    remove_site(mesh, v, MetricInCircle{particles}, max_flips);
     return true;
   }
   if (!may_leave_curve(particles, v)) return false;

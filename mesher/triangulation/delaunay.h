@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,10 +29,11 @@ struct EuclideanInCircle {
   }
 };
 
-/// Flips free edges that fail the test, and those that come to fail it (thesis 2.4.1), starting
-/// with the edges given, until none does or max_flips are done. Returns the number of flips.
+/// The edge-swapping algorithm (thesis 2.4.1): flips free edges that fail the test, and those that come to fail it,
+/// starting with the edges given, until none does or max_flips are done. Returns the number of flips.
 ///
-/// With EuclideanInCircle it ends by itself; other tests may cycle and need max_flips.
+/// With EuclideanInCircle it ends by itself; other tests may cycle and need max_flips. From all edges of any
+/// triangulation it leads to the (constrained) Delaunay one. Cost: O(n) when it is nearly so, O(n^2) at worst.
 template <class InCircle = EuclideanInCircle>
 std::int64_t legalize(Triangulation& t, std::vector<EdgeId> stack, InCircle in_circle = {},
                       std::int64_t max_flips = std::numeric_limits<std::int64_t>::max()) {
@@ -45,18 +47,6 @@ std::int64_t legalize(Triangulation& t, std::vector<EdgeId> stack, InCircle in_c
     for (const EdgeId side : {t.onext(e), t.oprev(e), t.onext(sym(e)), t.oprev(sym(e))}) stack.push_back(side);
   }
   return flips;
-}
-
-/// The edge-swapping algorithm: makes any triangulation (constrained) Delaunay (thesis 2.4.1).
-/// Cost: O(n) when it is nearly so, O(n^2) at worst. Returns the number of flips.
-template <class InCircle = EuclideanInCircle>
-std::int64_t make_delaunay(Triangulation& t, InCircle in_circle = {},
-                           std::int64_t max_flips = std::numeric_limits<std::int64_t>::max()) {
-  std::vector<EdgeId> all;
-  all.reserve(static_cast<std::size_t>(t.size()));
-  for (std::int32_t q = t.size() - 1; q >= 0; --q)
-    if (t.is_alive(q)) all.push_back({4 * q});
-  return legalize(t, std::move(all), in_circle, max_flips);
 }
 
 /// Flips away every edge of the link of v that fails the test, v being a new site of a Delaunay
@@ -93,29 +83,14 @@ VertexId insert_site(Triangulation& t, const Point& p, EdgeId start, InCircle in
   return v;
 }
 
-/// Removes a site that ends no constraint (thesis 2.5.3): its star is cut into ears, then flipped.
+/// Removes a site that ends no constraint (thesis 2.5.3): its star is cut into ears, then
+/// legalized, with max_flips at most.
 ///
 /// Errors: GeometryError when the sites left would be collinear. Cost: O(degree^3).
 template <class InCircle = EuclideanInCircle>
-void remove_site(Triangulation& t, VertexId v, InCircle in_circle = {}) {
-  legalize(t, remove_star(t, v), in_circle);
-}
-
-/// Moves a site that ends no constraint to p: in place when its star stays valid (and the hull
-/// convex), else by removal and insertion. Returns its vertex: v, or the one found at p, or
-/// no_vertex when p lies outside of a constrained boundary (v stays where it was).
-template <class InCircle = EuclideanInCircle>
-VertexId move_site(Triangulation& t, VertexId v, const Point& p, InCircle in_circle = {}) {
-  if (can_move_in_place(t, v, p)) {
-    t.set_point(v, p);
-    legalize(t, star_edges(t, v), in_circle);
-    return v;
-  }
-  const Location target = locate(t, p, t.edge_of(v));
-  if (target.hit == Hit::Outside && t.is_constrained(target.edge)) return no_vertex;
-  const VertexId near = t.dest(t.edge_of(v));
-  remove_site(t, v, in_circle);
-  return insert_site(t, p, t.edge_of(near), in_circle);
+void remove_site(Triangulation& t, VertexId v, InCircle in_circle = {},
+                 std::int64_t max_flips = std::numeric_limits<std::int64_t>::max()) {
+  legalize(t, remove_star(t, v), in_circle, max_flips);
 }
 
 /// A point that lies exactly on an earlier one.

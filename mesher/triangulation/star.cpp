@@ -77,16 +77,6 @@ bool others_are_collinear(const Triangulation& t, const Cavity& cavity) {
       cavity.chain, [&](EdgeId e) { return !t.is_inside_right(e) && orient2d(a, b, t.point(t.dest(e))) == 0.0; });
 }
 
-/// May the hull vertex at which spoke s begins the domain go to p, and the hull stay convex?
-bool stays_convex(const Triangulation& t, EdgeId s, const Point& p) {
-  const EdgeId in = sym(s);
-  const EdgeId out = t.lnext(in);
-  const Point& before = t.point(t.org(in));
-  const Point& after = t.point(t.dest(out));
-  return orient2d(t.point(t.org(t.lprev(in))), before, p) <= 0.0 && orient2d(before, p, after) <= 0.0 &&
-         orient2d(p, after, t.point(t.dest(t.lnext(out)))) <= 0.0;
-}
-
 }  // namespace
 
 VertexId obstacle_to_split(const Triangulation& t, EdgeId e, const Point& p) {
@@ -155,18 +145,6 @@ std::vector<EdgeId> star_edges(const Triangulation& t, VertexId v) {
     if (t.is_inside_left(e)) edges.push_back(t.lnext(e));
   });
   return edges;
-}
-
-bool can_move_in_place(const Triangulation& t, VertexId v, const Point& p) {
-  bool valid = true;
-  for_each_spoke(t, v, [&](EdgeId e) {
-    if (t.is_inside_left(e)) {
-      const EdgeId link = t.lnext(e);
-      valid = valid && orient2d(t.point(t.org(link)), t.point(t.dest(link)), p) > 0.0;
-    }
-    if (!t.is_inside_right(e)) valid = valid && stays_convex(t, e, p);
-  });
-  return valid;
 }
 
 }  // namespace parmesan

@@ -24,7 +24,4 @@ std::vector<EdgeId> remove_star(Triangulation& t, VertexId v);
 /// Spokes and link edges of v.
 std::vector<EdgeId> star_edges(const Triangulation& t, VertexId v);
 
-/// Would all triangles at v, and a free hull through v, stay valid if v moved to p?
-bool can_move_in_place(const Triangulation& t, VertexId v, const Point& p);
-
 }  // namespace parmesan
