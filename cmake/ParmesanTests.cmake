@@ -36,6 +36,8 @@ parmesan_tests(mesher parmesan_mesher)
 parmesan_tests(fem parmesan_fem)
 parmesan_tests(adapt parmesan_adapt)
 target_include_directories(tests_adapt SYSTEM PRIVATE ${CAIRO_INCLUDE_DIR})  # reads PNG back
+parmesan_tests(thesis parmesan_mesher)
+target_sources(tests_thesis PRIVATE ${PROJECT_SOURCE_DIR}/tools/thesis/counted_walks.cpp)
 parmesan_tests(system parmesan_adapt)
 target_compile_definitions(tests_system PRIVATE PARMESAN_PROGRAM="$<TARGET_FILE:parmesan>")
 add_dependencies(tests_system parmesan)

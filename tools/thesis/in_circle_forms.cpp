@@ -1,4 +1,4 @@
-#include "mesher/triangulation/in_circle_forms.h"
+#include "tools/thesis/in_circle_forms.h"
 
 #include <ctime>
 #include <random>

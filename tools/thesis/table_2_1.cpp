@@ -1,8 +1,8 @@
 #include <random>
 
 #include "mesher/errors.h"
-#include "mesher/triangulation/counted_walks.h"
 #include "mesher/triangulation/delaunay.h"
+#include "tools/thesis/counted_walks.h"
 #include "tools/thesis/experiment.h"
 
 namespace parmesan::thesis {

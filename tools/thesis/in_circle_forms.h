@@ -1,6 +1,6 @@
 #pragma once
 
-namespace parmesan {
+namespace parmesan::thesis {
 
 /// The three ways of thesis 2.3.2 to ask whether the circle through the edge from a to b and the point i, on its left,
 /// holds the point j, on its right. In floating point, for comparison: the mesher uses the exact incircle, and in a
@@ -46,4 +46,4 @@ bool in_circle_by_angles(const InCirclePoint<Number>& a, const InCirclePoint<Num
   return (ax * by - ay * bx) * (cx * dx + cy * dy) + (cx * dy - cy * dx) * (ax * bx + ay * by) > Number(0.0);
 }
 
-}  // namespace parmesan
+}  // namespace parmesan::thesis

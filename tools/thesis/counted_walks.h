@@ -4,7 +4,7 @@
 
 #include "mesher/triangulation/triangulation.h"
 
-namespace parmesan {
+namespace parmesan::thesis {
 
 /// Calls that a walk makes to each procedure, as in the rows of thesis Table 2.1.
 struct WalkCounts {
@@ -34,4 +34,4 @@ CountedWalk walk_of_guibas_stolfi(const Triangulation& t, const Point& p, EdgeId
 /// The automaton of Fig. 2.8, which repeats no test.
 CountedWalk walk_of_bossen(const Triangulation& t, const Point& p, EdgeId start);
 
-}  // namespace parmesan
+}  // namespace parmesan::thesis

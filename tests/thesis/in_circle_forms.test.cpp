@@ -1,4 +1,4 @@
-#include "mesher/triangulation/in_circle_forms.h"
+#include "tools/thesis/in_circle_forms.h"
 
 #include <catch2/catch.hpp>
 
@@ -7,8 +7,9 @@
 #include "tests/oracle/exact_sign.h"
 
 using namespace parmesan;
+using namespace parmesan::thesis;
 
-TEST_CASE("the three forms of the in-circle test agree with the exact one", "[mesher][triangulation][thesis]") {
+TEST_CASE("the three forms of the in-circle test agree with the exact one", "[thesis]") {
   const std::vector<Point> points = support::random_points(4000, 11);
   int inside = 0;
   int tested = 0;

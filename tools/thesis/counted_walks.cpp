@@ -1,8 +1,8 @@
-#include "mesher/triangulation/counted_walks.h"
+#include "tools/thesis/counted_walks.h"
 
 #include "mesher/geometry/predicates.h"
 
-namespace parmesan {
+namespace parmesan::thesis {
 namespace {
 
 /// The procedures that walks are made of; each call is counted.
@@ -85,4 +85,4 @@ CountedWalk walk_of_bossen(const Triangulation& t, const Point& p, EdgeId start)
   }
 }
 
-}  // namespace parmesan
+}  // namespace parmesan::thesis

@@ -1,4 +1,4 @@
-#include "mesher/triangulation/counted_walks.h"
+#include "tools/thesis/counted_walks.h"
 
 #include <catch2/catch.hpp>
 
@@ -7,6 +7,7 @@
 #include "tests/oracle/exact_sign.h"
 
 using namespace parmesan;
+using namespace parmesan::thesis;
 
 namespace {
 
@@ -18,7 +19,7 @@ bool holds(const Triangulation& t, EdgeId e, const Point& p) {
 
 }  // namespace
 
-TEST_CASE("both walks end at the triangle that holds the point, from every start", "[mesher][triangulation][thesis]") {
+TEST_CASE("both walks end at the triangle that holds the point, from every start", "[thesis]") {
   std::vector<Point> sites = support::random_points(80, 5);
   sites.insert(sites.end(), {{-2, -2}, {4, -2}, {-2, 4}});
   const Triangulation t = delaunay(sites).triangulation;
@@ -30,7 +31,7 @@ TEST_CASE("both walks end at the triangle that holds the point, from every start
   }
 }
 
-TEST_CASE("the walks stop at a vertex that is the point", "[mesher][triangulation][thesis]") {
+TEST_CASE("the walks stop at a vertex that is the point", "[thesis]") {
   const Triangulation t = delaunay(support::grid_points(6, 5)).triangulation;
   const EdgeId start = t.edge_of(0);
   for (const auto walk : {walk_of_guibas_stolfi, walk_of_bossen}) {
@@ -39,8 +40,7 @@ TEST_CASE("the walks stop at a vertex that is the point", "[mesher][triangulatio
   }
 }
 
-TEST_CASE("from random starts the automaton needs half the calls, and counts add up",
-          "[mesher][triangulation][thesis]") {
+TEST_CASE("from random starts the automaton needs half the calls, and counts add up", "[thesis]") {
   std::vector<Point> sites = support::random_points(3000, 7);
   sites.insert(sites.end(), {{-2, -2}, {4, -2}, {-2, 4}});
   const Triangulation t = delaunay(sites).triangulation;
