@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesher/half_edges.h"
 #include "mesher/index.h"
 #include "mesher/io/hanging_vertices.h"
 #include "mesher/mesh_sides.h"
@@ -30,10 +31,6 @@ std::vector<BoundarySide> boundary_sides(const Mesh& mesh, const HalfEdges& half
   return sides;
 }
 
-}  // namespace
-
-void cover_boundary(Mesh& mesh) { cover_boundary(mesh, HalfEdges(mesh)); }
-
 void cover_boundary(Mesh& mesh, const HalfEdges& half_edges) {
   const std::vector<BoundarySide> sides = boundary_sides(mesh, half_edges);
   if (std::ranges::any_of(sides, [](const BoundarySide& side) { return side.edge < 0; }))
@@ -48,6 +45,10 @@ void cover_boundary(Mesh& mesh, const HalfEdges& half_edges) {
   }
   mesh.labels.resize(mesh.edges.size(), 0);
 }
+
+}  // namespace
+
+void cover_boundary(Mesh& mesh) { cover_boundary(mesh, HalfEdges(mesh)); }
 
 void complete(Mesh& mesh) {
   const HalfEdges half_edges(mesh);

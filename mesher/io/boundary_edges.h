@@ -1,6 +1,5 @@
 #pragma once
 
-#include "mesher/half_edges.h"
 #include "mesher/mesh.h"
 
 namespace parmesan {
@@ -10,9 +9,6 @@ namespace parmesan {
 /// Indices must be in range. Errors: GeometryError for triangles that overlap (see sides_of), and for
 /// vertices that hang where sides have no edge. Cost: O(n), and O(b log b) for b boundary sides.
 void cover_boundary(Mesh& mesh);
-
-/// The same where the half-edges of its triangles are at hand.
-void cover_boundary(Mesh& mesh, const HalfEdges& half_edges);
 
 /// Makes of a mesh as others write them one that can be computed on: cover_boundary, then validate. Errors: as these.
 void complete(Mesh& mesh);

@@ -52,28 +52,24 @@ bool mend_by_flip(ParticleSystem& particles, EdgeId e) {
   return false;
 }
 
-bool mend_by_cut(ParticleSystem& particles, EdgeId e) {
+void mend_by_cut(ParticleSystem& particles, EdgeId e) {
   Triangulation& mesh = particles.mesh();
   const VertexId end = mesh.org(e);
   const Point middle = midpoint(mesh.point(end), mesh.point(mesh.dest(e)));
-  if (obstacle_to_split(mesh, e, middle) != no_vertex) return false;
+  if (obstacle_to_split(mesh, e, middle) != no_vertex) return;
   const VertexId v = particles.create_on_edge(e, middle);
-  if (settles(particles, v)) return true;
-  mesh.collapse(sym(e));  // e is now the half at its origin
-  return false;
+  if (!settles(particles, v)) mesh.collapse(sym(e));  // e is now the half at its origin
 }
 
 }  // namespace
 
-int mend_chords(ParticleSystem& particles) {
-  int mended = 0;
+void mend_chords(ParticleSystem& particles) {
   const std::int32_t num_edges = particles.mesh().size();
   for (std::int32_t q = 0; q < num_edges; ++q) {
     const EdgeId e{4 * q};
     if (!particles.mesh().is_alive(q) || !is_long_chord(particles, e)) continue;
-    mended += mend_by_flip(particles, e) || mend_by_cut(particles, e);
+    if (!mend_by_flip(particles, e)) mend_by_cut(particles, e);
   }
-  return mended;
 }
 
 }  // namespace parmesan

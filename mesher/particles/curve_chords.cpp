@@ -27,13 +27,13 @@ bool may_leave_curve(const ParticleSystem& particles, VertexId v) {
   return domain.curves[at(s.curve)].is_near_chord(from, to);
 }
 
-int split_distant_chords(ParticleSystem& particles) {
+void split_distant_chords(ParticleSystem& particles) {
   constexpr int max_passes = 20;
   const Domain& domain = particles.domain();
-  if (domain.curves.empty()) return 0;
-  int splits = 0;
-  for (int pass = 0; pass < max_passes; ++pass) {
-    const int before = splits;
+  if (domain.curves.empty()) return;
+  bool any = true;  // were split in the last pass
+  for (int pass = 0; any && pass < max_passes; ++pass) {
+    any = false;
     std::vector<EdgeId> stack;
     for (const ChainEdge& e : chains(particles)) {
       const Segment& s = domain.segments[at(e.segment)];
@@ -44,12 +44,10 @@ int split_distant_chords(ParticleSystem& particles) {
       const VertexId v = split_at(particles, e.edge, p, stack);
       if (v == no_vertex) continue;
       add_link(particles.mesh(), v, stack);
-      ++splits;
+      any = true;
     }
     legalize(particles, stack, flips_after_change * static_cast<long>(stack.size()));
-    if (splits == before) break;
   }
-  return splits;
 }
 
 }  // namespace parmesan

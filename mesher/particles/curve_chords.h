@@ -9,7 +9,7 @@ namespace parmesan {
 bool may_leave_curve(const ParticleSystem& particles, VertexId v);
 
 /// Splits edges that are farther from their curve than its chord error allows, where the triangulation lets them be,
-/// for what motion could not bring to its place. Legalizes around each. Returns how many.
-int split_distant_chords(ParticleSystem& particles);
+/// for what motion could not bring to its place. Legalizes around each.
+void split_distant_chords(ParticleSystem& particles);
 
 }  // namespace parmesan

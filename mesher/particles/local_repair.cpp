@@ -108,28 +108,26 @@ Point best_place_near(const ParticleSystem& particles, const Star& star, VertexI
 
 namespace {
 
-// Returns whether v has moved.
-bool repair_place(ParticleSystem& particles, VertexId v, Star& star, std::vector<EdgeId>& stack) {
+void repair_place(ParticleSystem& particles, VertexId v, Star& star, std::vector<EdgeId>& stack) {
   star.gather(particles, v);
   const Point from = particles.mesh().point(v);
-  if (!needs_repair(star, from, particles.metric(v))) return false;  // since a neighbour moved
+  if (!needs_repair(star, from, particles.metric(v))) return;  // since a neighbour moved
   const Point to = best_place_near(particles, star, v);
-  if (to == from) return false;
+  if (to == from) return;
   particles.move(v, to);
   add_star(particles.mesh(), v, stack);
   legalize(particles, stack, flips_after_change);
-  return true;
 }
 
 // Merges a particle with a flat triangle, for which there is no better place, into the neighbour that leaves the best
 // star, if the worst triangle then is twice as good: one that lies nearly on a segment, say.
-bool merge_if_flat(ParticleSystem& particles, VertexId v, Star& star, std::vector<EdgeId>& stack) {
+void merge_if_flat(ParticleSystem& particles, VertexId v, Star& star, std::vector<EdgeId>& stack) {
   constexpr double flat = 0.1, much_better = 2.0;
   Triangulation& mesh = particles.mesh();
-  if (!mesh.has_vertex(v)) return false;
+  if (!mesh.has_vertex(v)) return;
   star.gather(particles, v);
   double best = star.min_quality(mesh.point(v), particles.metric(v));
-  if (best >= flat) return false;
+  if (best >= flat) return;
   best *= much_better;
   EdgeId spoke = no_edge;
   for (std::size_t i = 0; i < star.size(); ++i) {
@@ -138,17 +136,16 @@ bool merge_if_flat(ParticleSystem& particles, VertexId v, Star& star, std::vecto
     best = after;
     spoke = star.spoke(i).edge;
   }
-  if (spoke == no_edge) return false;
+  if (spoke == no_edge) return;
   const VertexId neighbour = mesh.dest(spoke);
   mesh.collapse(spoke);
   add_star(mesh, neighbour, stack);
   legalize(particles, stack, flips_after_change);
-  return true;
 }
 
 }  // namespace
 
-int repair_places(ParticleSystem& particles) {
+void repair_places(ParticleSystem& particles) {
   constexpr int passes = 2;
   const auto selects = [&](const Star& around, VertexId v) {
     return needs_repair(around, particles.mesh().point(v), particles.metric(v));
@@ -156,11 +153,9 @@ int repair_places(ParticleSystem& particles) {
   const std::vector<VertexId> places = select_free_particles(particles, selects);
   Star star;
   std::vector<EdgeId> stack;
-  int moves = 0;
   for (int pass = 0; pass < passes; ++pass)
-    for (const VertexId v : places) moves += repair_place(particles, v, star, stack);
-  for (const VertexId v : places) moves += merge_if_flat(particles, v, star, stack);
-  return moves;
+    for (const VertexId v : places) repair_place(particles, v, star, stack);
+  for (const VertexId v : places) merge_if_flat(particles, v, star, stack);
 }
 
 }  // namespace parmesan

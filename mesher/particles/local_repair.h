@@ -15,9 +15,8 @@ Point best_place_near(const ParticleSystem& particles, const Star& star, VertexI
 
 /// Moves the free particles that have an edge longer than 1.34 or shorter than 1 / 1.34, or a triangle of q under 0.7
 /// or Q under 0.65, to the best place near by, and legalizes around them; then once more those that still have. Those
-/// that then have a triangle of q under 0.1 are merged into a neighbour where that doubles it. Returns how many changes
-/// were made. Relaxation leaves about one edge in a hundred out of [1/sqrt2, sqrt2] where the metric varies much; this
-/// mends two of three. Cost: O(n).
-int repair_places(ParticleSystem& particles);
+/// that then have a triangle of q under 0.1 are merged into a neighbour where that doubles it. Relaxation leaves about
+/// one edge in a hundred out of [1/sqrt2, sqrt2] where the metric varies much; this mends two of three. Cost: O(n).
+void repair_places(ParticleSystem& particles);
 
 }  // namespace parmesan

@@ -10,13 +10,14 @@ namespace {
 
 using Polygon = std::vector<Point>;
 
-Polygon rectangle_around(std::span<const Point> sites, double margin) {
+Polygon rectangle_around(std::span<const Point> sites) {
   Point low = sites.front();
   Point high = low;
   for (const Point& p : sites) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
+  constexpr double margin = 0.05;
   const double m = margin * std::max(high.x - low.x, high.y - low.y);
   return {{low.x - m, low.y - m}, {high.x + m, low.y - m}, {high.x + m, high.y + m}, {low.x - m, high.y + m}};
 }
@@ -42,9 +43,9 @@ Polygon cut(const Polygon& cell, const Point& p, const Point& q) {
 
 }  // namespace
 
-VoronoiDiagram voronoi_diagram(std::span<const Point> sites, double margin) {
+VoronoiDiagram voronoi_diagram(std::span<const Point> sites) {
   const Triangulation dual = delaunay(sites).triangulation;
-  const Polygon rectangle = rectangle_around(sites, margin);
+  const Polygon rectangle = rectangle_around(sites);
   VoronoiDiagram diagram{{sites.begin(), sites.end()}, std::vector<Polygon>(sites.size())};
   for (VertexId v = 0; v < dual.num_slots(); ++v) {
     if (!dual.has_vertex(v)) continue;

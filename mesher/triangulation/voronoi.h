@@ -14,11 +14,11 @@ struct VoronoiDiagram {
   std::vector<std::vector<Point>> cells;  // of each site, convex, counter-clockwise; empty for a repeated site
 };
 
-/// The Voronoi diagram of the sites in the rectangle around them, widened by margin times its longer side.
+/// The Voronoi diagram of the sites in the rectangle around them, widened by a 20th of its longer side.
 ///
 /// It is the dual of their Delaunay triangulation: the cell of a site is cut out of the rectangle by one bisector for
 /// each of the Delaunay edges at it. Errors: GeometryError for fewer than three non-collinear sites. Cost: O(n log n).
-VoronoiDiagram voronoi_diagram(std::span<const Point> sites, double margin = 0.05);
+VoronoiDiagram voronoi_diagram(std::span<const Point> sites);
 
 /// The cells as a mesh: each a fan of triangles around its site, whose number is their region; the outlines are its
 /// labelled edges. For writing to files.

@@ -51,7 +51,7 @@ TEST_CASE("repair halves the edges out of range and keeps the triangulation vali
   ParticleSystem particles = relaxed(domain, field);
   const int before = edges_out_of_range(particles);
   REQUIRE(before > 5);
-  CHECK(repair_places(particles) > 0);
+  repair_places(particles);
   CHECK(check(particles.mesh()).empty());
   CHECK(2 * edges_out_of_range(particles) <= before);
 }
@@ -62,14 +62,12 @@ TEST_CASE("repair leaves particles on segments and settled particles where they 
   ParticleSystem particles = relaxed(domain, field);
   std::vector<Point> before;
   for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) before.push_back(particles.mesh().point(v));
-  const int moves = repair_places(particles);
-  CHECK(moves < particles.mesh().num_vertices() / 5);
+  repair_places(particles);
   int differ = 0;
   for (VertexId v = 0; v < particles.mesh().num_slots(); ++v) {
     if (particles.mesh().point(v) == before[static_cast<std::size_t>(v)]) continue;
     ++differ;
     CHECK(particles.is_free(v));
   }
-  CHECK(differ <= moves);
-  CHECK(2 * differ >= moves);
+  CHECK(5 * differ < particles.mesh().num_vertices());
 }

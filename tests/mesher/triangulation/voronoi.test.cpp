@@ -35,14 +35,14 @@ TEST_CASE("each point lies in the cell of its nearest site, and cells fill the r
           "[mesher][triangulation][thesis]") {
   const std::vector<Point> sites =
       GENERATE(support::random_points(150, 1), support::grid_points(7, 5), support::circle_points(24));
-  const VoronoiDiagram diagram = voronoi_diagram(sites, 0.1);
+  const VoronoiDiagram diagram = voronoi_diagram(sites);
   Point low = sites[0];
   Point high = sites[0];
   for (const Point& p : sites) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  const double margin = 0.1 * std::max(high.x - low.x, high.y - low.y);
+  const double margin = 0.05 * std::max(high.x - low.x, high.y - low.y);
   double area = 0.0;
   for (const auto& cell : diagram.cells) area += area_of(cell);
   CHECK(area == Approx((high.x - low.x + 2 * margin) * (high.y - low.y + 2 * margin)).epsilon(1e-12));
