@@ -60,9 +60,7 @@ SmoothParts::SmoothParts(const Mesh& mesh, const Problem& problem, const std::ve
 }
 
 std::vector<double> SmoothParts::spread(std::span<const double> values) const {
-  std::vector<double> result(mesh().points.size());
-  for (std::size_t v = 0; v < result.size(); ++v) result[v] = values[at(source(v))];
-  return result;
+  return opened_ ? opened_->spread(values) : std::vector<double>(values.begin(), values.end());
 }
 
 }  // namespace parmesan

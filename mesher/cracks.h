@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,6 +13,15 @@ namespace parmesan {
 struct OpenedMesh {
   Mesh mesh;
   std::vector<int> sources;  // which vertex of the closed mesh each one was
+
+  /// What a vertex of the closed mesh has, at each of its copies.
+  template <class T>
+  std::vector<T> spread(std::span<const T> values) const {
+    std::vector<T> result;
+    result.reserve(sources.size());
+    for (const int v : sources) result.push_back(values[static_cast<std::size_t>(v)]);
+    return result;
+  }
 };
 
 /// Opens cracks: vertices on them are doubled, so that the triangles on both sides share no side there.

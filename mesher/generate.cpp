@@ -10,7 +10,6 @@
 #include "mesher/geometry/chord_limits.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/outline.h"
-#include "mesher/index.h"
 #include "mesher/metric/complexity.h"
 #include "mesher/outside_parts.h"
 #include "mesher/particles/curve_chords.h"
@@ -88,14 +87,6 @@ Beginning choose_beginning(Mesh previous, const Domain& domain, const Mesh& site
   return {std::move(choice), std::move(fit)};
 }
 
-// Both sides of a crack have the metric of the particles on it.
-std::vector<Metric> metrics_of(const OpenedMesh& opened, const std::vector<Metric>& metrics) {
-  std::vector<Metric> result;
-  result.reserve(opened.sources.size());
-  for (const int v : opened.sources) result.push_back(metrics[at(v)]);
-  return result;
-}
-
 /// What the user gets of the mesh, cracks opened and with the domain's labels.
 GenerateResult finished(Relaxed relaxed, const Domain& domain, GenerateReport report) {
   GenerateResult result{.mesh = {}, .metrics = {}, .relaxed = {}, .report = std::move(report)};
@@ -103,7 +94,7 @@ GenerateResult finished(Relaxed relaxed, const Domain& domain, GenerateReport re
   if (std::optional<std::string> chords = distant_chords(relaxed.mesh, domain))
     result.report.warnings.push_back(*std::move(chords));
   OpenedMesh opened = with_user_labels(std::move(relaxed.mesh), domain);
-  result.metrics = metrics_of(opened, relaxed.metrics);
+  result.metrics = opened.spread<Metric>(relaxed.metrics);
   result.mesh = std::move(opened.mesh);
   if (relaxed.before_descent) result.relaxed = with_user_labels(std::move(*relaxed.before_descent), domain).mesh;
   result.report.complexity = integrate_complexity(result.mesh, result.metrics);

@@ -215,9 +215,8 @@ GenerateResult generate_around(const Mesh& mesh, const MetricField& field, const
   result.report.diagnosis =
       with_required_triangles(std::move(result.report.diagnosis), joined.half.mesh, metrics, seam_of(halves, joined));
   OpenedMesh opened = open_cracks(joined.half.mesh, joined.half.right_labels);
+  result.metrics = opened.spread<Metric>(metrics);
   result.mesh = std::move(opened.mesh);
-  result.metrics.clear();
-  for (const int v : opened.sources) result.metrics.push_back(metrics[at(v)]);
   if (result.relaxed) {
     const ClosedMesh relaxed = close_cracks(*result.relaxed);
     const Joined around = join(halves, {relaxed.mesh, relaxed.right_labels});

@@ -114,8 +114,7 @@ TEST_CASE("open_cracks doubles all vertices of a crack but its tips", "[mesher][
   CHECK(length_of(opened.mesh, above) == Approx(0.5).epsilon(1e-14));
   CHECK(length_of(opened.mesh, below) == Approx(0.5).epsilon(1e-14));
   CHECK(oracle::problems_of(opened.mesh) == std::vector<std::string>{});
-  for (int v = 0; v < opened.mesh.num_vertices(); ++v)
-    CHECK(opened.mesh.points[at(v)] == closed.mesh.points[at(opened.sources[at(v)])]);
+  CHECK(opened.spread<Point>(closed.mesh.points) == opened.mesh.points);
 }
 
 TEST_CASE("each side of a crack has its label, with the domain to the left", "[mesher][cracks]") {
