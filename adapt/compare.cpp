@@ -15,7 +15,6 @@
 #include "adapt/targets.h"
 #include "mesher/arc_heights.h"
 #include "mesher/errors.h"
-#include "mesher/index.h"
 #include "mesher/io/output_file.h"
 #include "mesher/triangulation/refine.h"
 
@@ -57,20 +56,6 @@ Case aimed_at(const Case& input, std::int64_t vertices) {
   aimed.targets.vertices = vertices;
   aimed.initial_vertices = std::min(input.initial_vertices, vertices);
   return aimed;
-}
-
-/// Where edges on curves are to be cut.
-std::vector<EdgeMiddle> middles_of_arcs(const Mesh& mesh, const Domain& domain) {
-  const std::vector<double> heights = arc_heights(mesh, domain);
-  std::vector<EdgeMiddle> middles;
-  for (int e = 0; e < mesh.num_edges(); ++e) {
-    if (heights[at(e)] == 0.0) continue;
-    const Point& a = mesh.points[at(mesh.edges[at(e)][0])];
-    const Point& b = mesh.points[at(mesh.edges[at(e)][1])];
-    const Vector to_the_right{b.y - a.y, a.x - b.x};
-    middles.push_back({e, midpoint(a, b) + (heights[at(e)] / norm(to_the_right)) * to_the_right});
-  }
-  return middles;
 }
 
 double spent(const std::vector<IterationRow>& rows) {

@@ -71,4 +71,17 @@ std::vector<double> arc_heights(const Mesh& mesh, const Domain& domain) {
   return heights;
 }
 
+std::vector<EdgeMiddle> middles_of_arcs(const Mesh& mesh, const Domain& domain) {
+  const std::vector<double> heights = arc_heights(mesh, domain);
+  std::vector<EdgeMiddle> middles;
+  for (int e = 0; e < mesh.num_edges(); ++e) {
+    if (heights[at(e)] == 0.0) continue;
+    const Point& a = mesh.points[at(mesh.edges[at(e)][0])];
+    const Point& b = mesh.points[at(mesh.edges[at(e)][1])];
+    const Vector to_the_right{b.y - a.y, a.x - b.x};
+    middles.push_back({e, midpoint(a, b) + (heights[at(e)] / norm(to_the_right)) * to_the_right});
+  }
+  return middles;
+}
+
 }  // namespace parmesan

@@ -27,11 +27,27 @@ TEST_CASE("edges on circles are as far from their arcs as chords are, outwards",
   }
 }
 
+TEST_CASE("the middles of arcs lie on their circles, as far from one end as from the other", "[curves]") {
+  const Domain domain = support::annulus();
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(0.2))).mesh;
+  const std::vector<EdgeMiddle> middles = middles_of_arcs(mesh, domain);
+  REQUIRE(middles.size() == mesh.edges.size());
+  for (const auto& [edge, p] : middles) {
+    const auto e = static_cast<std::size_t>(edge);
+    const Point a = mesh.points[static_cast<std::size_t>(mesh.edges[e][0])];
+    const Point b = mesh.points[static_cast<std::size_t>(mesh.edges[e][1])];
+    CHECK(norm(p - Point{}) == Approx(mesh.labels[e] == 1 ? 2.0 : 1.0).epsilon(1e-9));
+    CHECK(norm(p - a) == Approx(norm(p - b)).epsilon(1e-9));
+    CHECK(norm(p - a) < norm(b - a));
+  }
+}
+
 TEST_CASE("straight edges stand for no arc, beside curves either", "[curves]") {
   const Domain domain = support::half_disc();  // the diameter has label 2
   const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(0.2))).mesh;
   const std::vector<double> heights = arc_heights(mesh, domain);
   for (std::size_t e = 0; e < heights.size(); ++e) CHECK((heights[e] == 0.0) == (mesh.labels[e] == 2));
+  CHECK(std::ssize(middles_of_arcs(mesh, domain)) == std::ranges::count(mesh.labels, 1));
 }
 
 TEST_CASE("a straight edge between two points of a circle stands for no arc", "[curves]") {
