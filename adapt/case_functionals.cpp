@@ -4,6 +4,7 @@
 #include "adapt/case_reading.h"
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"
+#include "adapt/region_names.h"
 
 namespace parmesan {
 namespace {

@@ -5,7 +5,7 @@
 #include "adapt/case_reading.h"
 #include "adapt/case_shapes.h"
 #include "adapt/domain_builder.h"
-#include "adapt/nearest_name.h"
+#include "adapt/region_names.h"
 #include "mesher/base_faces.h"
 #include "mesher/generate_around.h"
 
@@ -18,23 +18,10 @@ const std::string kGeometry = "/geometry";
 
 /// The numbers of the regions that are to stay, which must be known by name.
 std::vector<int> read_required_regions(CaseReading& reading, const Json& geometry, const Domain& domain) {
-  std::vector<int> regions;
-  const std::map<std::string, std::vector<int>> numbers = regions_by_name(domain);
-  const std::vector<std::string> names = region_names(domain);
-  const Json wanted = geometry.value("required", Json::array());
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const std::string name = wanted[i].get<std::string>();
-    const auto found = numbers.find(name);
-    if (found != numbers.end()) {
-      regions.insert(regions.end(), found->second.begin(), found->second.end());
-      continue;
-    }
-    const std::string hint = suggestion(name, names);
-    reading.issues.add(kGeometry + "/required/" + std::to_string(i), "there is no region '" + name.substr(0, 60) + "'" +
-                                                                         (hint.empty() ? "." : hint) +
-                                                                         " The regions are: " + quoted_list(names));
-  }
-  return regions;
+  const auto wanted = geometry.value("required", Json::array()).get<std::vector<std::string>>();
+  return regions_named(wanted, regions_by_name(domain), [&reading](std::size_t i, const std::string& problem) {
+    reading.issues.add(kGeometry + "/required/" + std::to_string(i), problem);
+  });
 }
 
 void add_inner_segment(CaseReading& reading, const Json& segment, const std::string& pointer, DomainBuilder& builder) {
@@ -101,21 +88,6 @@ bool may_move_seeds(const Domain& domain, const DomainBase& base) {
 }
 
 }  // namespace
-
-std::map<std::string, std::vector<int>> regions_by_name(const Domain& domain) {
-  std::vector<int> numbers;
-  for (const auto& entry : domain.region_names) numbers.push_back(entry.first);
-  for (const RegionSeed& seed : domain.regions) numbers.push_back(seed.region);
-  std::map<std::string, std::vector<int>> by_name;
-  for (const int number : ascending(numbers)) by_name[label_name(domain.region_names, number)].push_back(number);
-  return by_name;
-}
-
-std::vector<std::string> region_names(const Domain& domain) {
-  std::vector<std::string> names;
-  for (const auto& entry : regions_by_name(domain)) names.push_back(entry.first);
-  return names;
-}
 
 std::optional<CaseGeometry> read_geometry_section(CaseReading& reading) {
   if (!reading.document.root.contains("geometry") || !reading.issues.clean(kGeometry)) return std::nullopt;

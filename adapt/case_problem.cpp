@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <memory>
 
 #include "adapt/case.h"
@@ -9,6 +8,7 @@
 #include "adapt/case_reading.h"
 #include "adapt/json_text.h"
 #include "adapt/nearest_name.h"
+#include "adapt/region_names.h"
 
 namespace parmesan {
 namespace {
@@ -100,7 +100,7 @@ class EquationReader {
       result.other = read(value, result.pointer);
       return result.other ? std::optional<Regional<T>>(result) : std::nullopt;
     }
-    std::map<std::string, std::vector<int>> numbers;
+    RegionsByName numbers;
     if (geometry_ != nullptr) numbers = regions_by_name(geometry_->domain);
     for (const auto& [name, member] : value.items()) {
       if (name.starts_with("x-")) continue;

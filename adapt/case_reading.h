@@ -66,12 +66,6 @@ struct CaseGeometry {
   std::optional<Mesh> kept;           // a file's mesh that has required triangles
 };
 
-/// The numbers of the regions that have each name, ascending; several may share one.
-std::map<std::string, std::vector<int>> regions_by_name(const Domain& domain);
-
-/// Those names, in the order of bytes.
-std::vector<std::string> region_names(const Domain& domain);
-
 /// Reads /geometry. Nothing, and issues, when it cannot be used.
 /// Errors: FileError, GeometryError from a geometry file.
 std::optional<CaseGeometry> read_geometry_section(CaseReading& reading);

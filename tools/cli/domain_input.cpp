@@ -1,12 +1,11 @@
 #include "tools/cli/domain_input.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "adapt/case.h"
-#include "adapt/nearest_name.h"
+#include "adapt/region_names.h"
 #include "mesher/errors.h"
 #include "mesher/generate_around.h"
 #include "mesher/geometry/clean.h"
@@ -55,26 +54,6 @@ Domain repaired(Domain domain, const RepairOptions& options) {
   return std::move(result.domain);
 }
 
-std::vector<int> regions_named(const Mesh& mesh, const std::vector<std::string>& names) {
-  std::map<std::string, std::vector<int>> present;
-  for (const int region : ascending(mesh.regions)) present[label_name(mesh.region_names, region)].push_back(region);
-  std::vector<std::string> known;
-  known.reserve(present.size());
-  for (const auto& [name, of_name] : present) known.push_back(name);
-  std::vector<int> regions;
-  for (const std::string& name : names) {
-    const auto found = present.find(name);
-    if (found != present.end()) {
-      regions.insert(regions.end(), found->second.begin(), found->second.end());
-      continue;
-    }
-    const std::string hint = suggestion(name, known);
-    throw GeometryError("--freeze: there is no region '" + name + "'" + (hint.empty() ? "." : hint) +
-                        " The regions are: " + quoted_list(known));
-  }
-  return regions;
-}
-
 }  // namespace
 
 bool keeps_triangles(const GeometryInput& geometry) {
@@ -91,7 +70,9 @@ GeometryInput read_geometry_to_mesh(const std::string& path, const RepairOptions
   if (!regions.empty() && !input.mesh)
     throw GeometryError("--freeze: the geometry is no mesh, so it has no triangles that could stay");
   if (!regions.empty()) {
-    const std::vector<int> required = regions_named(*input.mesh, regions);
+    const auto refuse = [](std::size_t, const std::string& problem) { throw GeometryError("--freeze: " + problem); };
+    const std::vector<int> required =
+        regions_named(regions, regions_by_name(input.mesh->region_names, input.mesh->regions), refuse);
     input.mesh = with_required_regions(std::move(*input.mesh), required);
   }
   if (!keeps_triangles(input)) {
