@@ -63,7 +63,7 @@ double side_integral(const Mesh& mesh, int label, const BoundaryData& g) {
   return sum;
 }
 
-bool is_inside(const Mesh& mesh, int label) {
+bool is_interior_line(const Mesh& mesh, int label) {
   const std::vector<Side> sides = labelled_sides(mesh);
   return std::ranges::any_of(sides, [label](const Side& side) { return side.label == label && side.interior; });
 }
@@ -77,7 +77,7 @@ double of_exact(const Problem& problem, const GoalFunctional& goal, const Mesh& 
     });
   }
   for (const int label : goal.fluxes) {
-    if (is_inside(mesh, label)) return std::nan("");  // the flux from both sides
+    if (is_interior_line(mesh, label)) return std::nan("");  // the flux from both sides
     sum += side_integral(mesh, label, [&](const Point& p, const Vector& n, int region) {
       const Jet jet = u.jet(p);
       return dot(n, diffusion_at(problem, p, region) * Vector{jet.x, jet.y});

@@ -29,7 +29,7 @@ struct RequiredParts {
 /// The numbers in ascending order, each once.
 std::vector<int> ascending(std::vector<int> numbers);
 
-/// A triangle mesh as plain arrays; the only thing fem and adapt read of the mesher.
+/// A triangle mesh as plain arrays, which mesher, fem and adapt hand to each other.
 ///
 /// Shape: points 2 x n; triangles 3 x m, counter-clockwise, with one region each;
 /// edges 2 x b with one label each. Edges are the boundary edges, the domain to their left,

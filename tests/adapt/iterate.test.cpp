@@ -19,8 +19,12 @@ TEST_CASE("uniform_iterate comes close to the size asked for", "[adapt][loop]") 
   for (const double vertices : {100.0, 1500.0}) {
     const Iterate start = uniform_iterate(input, vertices);
     CHECK(static_cast<double>(start.mesh.num_vertices()) == Approx(vertices).epsilon(0.2));
-    CHECK(start.complexity == Approx(complexity(start.mesh, start.metrics)).epsilon(1e-9));
     CHECK(area(start.mesh) == Approx(1.0).epsilon(1e-12));
+    for (const Metric& m : start.metrics) {  // I / h^2 in the unit square: the integral of sqrt(det M) is 1 / h^2
+      CHECK(m.tensor().xx == Approx(start.complexity).epsilon(1e-9));
+      CHECK(m.tensor().yy == Approx(start.complexity).epsilon(1e-9));
+      CHECK(m.tensor().xy == Approx(0.0).margin(1e-9));
+    }
   }
 }
 
