@@ -124,6 +124,15 @@ void keep_places_at_curves(Case& result) {
     source.place = keep_place_at_curves(result.domain, source.place);
 }
 
+/// Inner lines with a condition of their own keep it where they lie on a side.
+void let_conditions_override(const std::vector<int>& inner_labels, Case& result) {
+  for (Segment& segment : result.domain.segments) {
+    const auto condition = result.problem.boundary.find(segment.label);
+    const bool has_own = condition != result.problem.boundary.end() && condition->second.on_constraints;
+    if (has_own && std::ranges::find(inner_labels, segment.label) != inner_labels.end()) segment.overrides = true;
+  }
+}
+
 // Whether the domain can be meshed is not looked at.
 Case parse_unclean(const std::string& text, const std::string& file, const std::vector<Override>& overrides,
                    double merge_tolerance = 0.0) {
@@ -145,6 +154,7 @@ Case parse_unclean(const std::string& text, const std::string& file, const std::
     result.kept = geometry->kept;
   }
   read_problem_section(reading, geometry ? &*geometry : nullptr, result);
+  if (geometry) let_conditions_override(geometry->optional, result);
   read_functionals_section(reading, geometry ? &*geometry : nullptr, result);
   keep_places_at_curves(result);
   read_option_sections(reading, result);

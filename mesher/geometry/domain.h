@@ -19,6 +19,7 @@ struct Segment {
   std::optional<int> label_right = {};  // makes it a crack: the label of the other side
   bool required = false;                // stays whole: one edge of every mesh; for straight ones
   int curve = -1;                       // the one of the domain's that begins at a and ends at b; -1: none
+  bool overrides = false;               // where it lies on one that does not, its label is the one that stays
   bool is_straight() const { return curve < 0; }
 };
 

@@ -56,6 +56,17 @@ void sort_along(const DomainRepair& repair, const Segment& segment, std::vector<
   if (comes_before(repair.point(segment.b), repair.point(segment.a))) std::ranges::reverse(inner);
 }
 
+/// What becomes of the label of a segment that lies on one that stays.
+std::string label_of_joined(const LabelNames& names, const Segment& dropped, const Segment& stays) {
+  std::string result;
+  const std::string its = label_name(names, dropped.label), other = label_name(names, stays.label);
+  if (dropped.label != stays.label) {
+    const bool wins = dropped.overrides && !stays.overrides;
+    result = wins ? ", whose label is " + its + " there, not " + other : ", whose label " + other + " beats " + its;
+  }
+  return result + (dropped.label_right && !stays.label_right ? ", which is no crack" : "");
+}
+
 /// The points where only one segment ends, and whether some segments enclose an area.
 struct FreeEnds {
   std::vector<int> points;
@@ -106,17 +117,16 @@ DomainRepair drop_repeated_segments(DomainRepair repair) {
     if (segments[s].a == segments[s].b) {
       points.push_back(number_text(repair.domain, sources[s].number));
     } else if (kept != s) {
-      const bool same = segments[s].label == segments[kept].label;
-      const bool closes_crack = segments[s].label_right && !segments[kept].label_right;
-      repeated.push_back(
-          number_text(repair.domain, sources[s].number) + " lies on " +
-          number_text(repair.domain, sources[kept].number) +
-          (same ? "" : ", whose label " + text(segments[kept].label) + " beats " + text(segments[s].label)) +
-          (closes_crack ? ", which is no crack" : ""));
+      Segment& stays = repair.domain.segments[place[kept]];
+      repeated.push_back(number_text(repair.domain, sources[s].number) + " lies on " +
+                         number_text(repair.domain, sources[kept].number) +
+                         label_of_joined(repair.domain.label_names, segments[s], stays));
       std::vector<int>& others = repair.segment_sources[place[kept]].repeated;
       others.push_back(sources[s].number);
       others.insert(others.end(), sources[s].repeated.begin(), sources[s].repeated.end());
-      repair.domain.segments[place[kept]].required |= segments[s].required;
+      stays.required |= segments[s].required;
+      if (segments[s].overrides && !stays.overrides) stays.label = segments[s].label;
+      stays.overrides |= segments[s].overrides;
     } else {
       place[s] = repair.domain.segments.size();
       repair.domain.segments.push_back(segments[s]);

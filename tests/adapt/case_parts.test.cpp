@@ -268,4 +268,18 @@ TEST_CASE("Regions that an operation lets run together are refused", "[adapt][ca
               10.0, 8.0);
 }
 
+TEST_CASE("A segment with a condition of its own has it on the part of a side that it lies on",
+          "[adapt][case][parts]") {
+  const auto length_with = [](const std::string& conditions) {
+    const Case input = parse_case(R"({"geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}, "segments": [
+        {"from": [0.25, 0], "to": [0.75, 0], "label": "heater"}, {"from": [0.75, 0], "to": [0.75, 0.5], "label": "heater"}]},
+        "problem": {"boundary": {)" + conditions +
+                                      R"("*": {"neumann": 0}}}})",
+                                  "heater.json");
+    return length(input.domain, "heater");
+  };
+  CHECK(length_with(R"("heater": {"dirichlet": 1}, )") == Approx(1.0));
+  CHECK(length_with("") == Approx(0.5));  // nothing is asked for there: the side is what it was
+}
+
 }  // namespace parmesan
