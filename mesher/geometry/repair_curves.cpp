@@ -136,13 +136,22 @@ std::vector<Cut> cuts_of(DomainRepair& repair, Places& points, const Segment& s)
   return cuts;
 }
 
+/// Whether a curve stays within a distance of another, by its samples and the middles between them.
+bool runs_along(const Curve& curve, const Curve& other, double near) {
+  const std::vector<double> samples = curve.sample_parameters();
+  const auto is_near = [&](double t) {
+    const Point p = curve.at(t);
+    return norm(other.at(other.nearest(p)) - p) <= near;
+  };
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    if (!is_near(0.5 * (samples[i - 1] + samples[i])) || !is_near(samples[i])) return false;
+  return true;
+}
+
 /// Whether two curves between the same points run together.
 bool are_equal(const Curve& c, const Curve& d) {
   const double near = reach(c, c.at(0.0));
-  if (std::abs(c.extent() - d.extent()) > near) return false;
-  for (const double t : {0.2, 0.5, 0.8})
-    if (norm(d.at(d.nearest(c.at(t))) - c.at(t)) > near) return false;
-  return true;
+  return std::abs(c.extent() - d.extent()) <= near && runs_along(c, d, near) && runs_along(d, c, near);
 }
 
 }  // namespace

@@ -344,6 +344,31 @@ TEST_CASE("Curves that all but touch or run together have a result without error
   }
 }
 
+TEST_CASE("Curves that cross at even steps are not taken for one", "[mesher][sets]") {
+  // Below and above a wave of five periods along the unit interval, and the mirrored wave.
+  const auto beside_wave = [](double height, double side, int label) {
+    const auto angle = [](double x) { return 10.0 * pi * x; };
+    Domain domain;
+    domain.points = {{0, 0}, {1, 0}, {1, side}, {0, side}};
+    domain.curves.emplace_back(
+        [=](double x) {
+          return Point{x, height * std::sin(angle(x))};
+        },
+        [=](double x) {
+          return Vector{1.0, 10.0 * pi * height * std::cos(angle(x))};
+        },
+        0.0, 1.0);
+    domain.segments = {{0, 1, label, {}, false, 0}, {1, 2, label}, {2, 3, label}, {3, 0, label}};
+    return domain;
+  };
+  const Domain above = beside_wave(0.05, 1.0, 1);
+  const Domain below = beside_wave(-0.05, -1.0, 2);
+  const double between = 5.0 * 2.0 * 0.05 * 0.2 / pi;  // a wave of height h and period p encloses h p / pi in each half
+  CHECK(area(of_two(SetOperation::Intersection, above, below)) == Approx(between).epsilon(1e-3));
+  CHECK(area(of_two(SetOperation::Union, above, below)) == Approx(2.0 - between).epsilon(1e-3));
+  CHECK(area(of_two(SetOperation::Difference, above, below)) == Approx(1.0 - between).epsilon(1e-3));
+}
+
 TEST_CASE("Holes, islands and rings", "[mesher][sets]") {
   Domain ring = box(0, 0, 9, 9, 1);
   support::add_polygon(ring, {{1, 1}, {8, 1}, {8, 8}, {1, 8}}, 11);
