@@ -5,17 +5,19 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <tuple>
 #include <utility>
 
+#include "mesher/geometry/box_tree.h"
+#include "mesher/geometry/curve_contacts.h"
+#include "mesher/geometry/predicates.h"
 #include "mesher/geometry/segment_contacts.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/geometry/segment_tree.h"
 #include "mesher/index.h"
 
 namespace parmesan {
 namespace {
 
-constexpr double near_end = 1e-9;  // of a curve's extent
 constexpr double chord_share = 1e-6;
 constexpr double least_angle = 1e-6;  // at which segments cross and do not touch
 
@@ -57,11 +59,18 @@ class ChordHalving {
   std::vector<double> found_{0.0};
 };
 
-/// The segments as chains of chords, and the segment that each chord is of. The chords' ends come after the points.
+/// A chord of a segment between two parameters.
+struct PartChord {
+  int segment;
+  double from;
+  double to;
+};
+
+/// The segments as chains of chords. The chords' ends come after the points.
 struct Chains {
   std::vector<Point> points;
   std::vector<Segment> chords;
-  std::vector<int> segments;
+  std::vector<PartChord> parts;  // that the chords are of
 };
 
 Chains chains_of(const Domain& domain) {
@@ -76,85 +85,101 @@ Chains chains_of(const Domain& domain) {
       const int to = is_last ? segment.b : static_cast<int>(chains.points.size());
       if (!is_last) chains.points.push_back(domain.curves[at(segment.curve)].at(parameters[i]));
       chains.chords.push_back({from, to});
-      chains.segments.push_back(s);
+      chains.parts.push_back({s, parameters[i - 1], parameters[i]});
       from = to;
     }
   }
   return chains;
 }
 
-/// Two segments, of which the first is curved, that come together near a place.
+/// Calls visit(c, d) for pairs of chords that are as near to each other as may be where their segments meet: of two
+/// segments, of which the first is curved, each pair once.
+class NearChords {
+ public:
+  NearChords(const Domain& domain, const Chains& chains) : domain_(domain), chains_(chains) {
+    tree_ = BoxTree(chains.chords.size(), [&](std::size_t c) { return box_of(chains.chords[c], 0.0); });
+    for (const Segment& s : domain.segments) largest_ = std::max(largest_, offset(s));
+  }
+
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (std::size_t c = 0; c < chains_.chords.size(); ++c) {
+      const int s = chains_.parts[c].segment;
+      const Segment& first = domain_.segments[at(s)];
+      if (first.is_straight()) continue;
+      const BoxTree::Box around = box_of(chains_.chords[c], offset(first) + largest_);
+      const auto overlaps = [&](const BoxTree::Box& box) {
+        return box.low.x <= around.high.x && box.high.x >= around.low.x && box.low.y <= around.high.y &&
+               box.high.y >= around.low.y;
+      };
+      tree_.for_each_in(overlaps, [&](std::size_t d) {
+        const int t = chains_.parts[d].segment;
+        const Segment& second = domain_.segments[at(t)];
+        if (t == s || (t < s && !second.is_straight()) || !overlaps(box_of(chains_.chords[d], 0.0))) return;
+        if (distance(chains_.chords[c], chains_.chords[d]) <= offset(first) + offset(second)) visit(c, d);
+      });
+    }
+  }
+
+ private:
+  const Point& point(int p) const { return chains_.points[at(p)]; }
+
+  BoxTree::Box box_of(const Segment& chord, double margin) const {
+    BoxTree::Box box;
+    for (const int p : {chord.a, chord.b})
+      for (const double d : {-margin, margin}) box.add(point(p) + Vector{d, d});
+    return box;
+  }
+
+  // Of a segment from its chords, and what it is to be within reach of.
+  double offset(const Segment& s) const {
+    constexpr double doubt = 2.0;  // of distances measured at a few points
+    if (s.is_straight()) return 0.0;
+    const Curve& curve = domain_.curves[at(s.curve)];
+    return doubt * chord_share * curve.extent() + reach(curve, domain_.points[at(s.a)]);
+  }
+
+  double distance(const Segment& c, const Segment& d) const {
+    const auto is_beside = [&](const Segment& line, const Segment& other) {
+      return (orient2d(point(line.a), point(line.b), point(other.a)) > 0.0) ==
+             (orient2d(point(line.a), point(line.b), point(other.b)) > 0.0);
+    };
+    if (!is_beside(c, d) && !is_beside(d, c)) return 0.0;
+    const auto from = [&](int p, const Segment& line) {
+      return norm(nearest_on_segment(point(line.a), point(line.b), point(p)) - point(p));
+    };
+    return std::min({from(c.a, d), from(c.b, d), from(d.a, c), from(d.b, c)});
+  }
+
+  const Domain& domain_;
+  const Chains& chains_;
+  BoxTree tree_;
+  double largest_ = 0.0;
+};
+
+/// Two segments, of which the first is curved, whose chords cross at a place.
 struct Meeting {
   int first;
   int second;
   Point place;
-  bool is_exact;  // the place is on both
 };
 
-class Meetings {
- public:
-  explicit Meetings(const Domain& domain) : domain_(domain), chains_(chains_of(domain)) {
-    find_crossing_chords();
-    find_ends_on_chords();
-    find_common_ends();
+std::vector<Meeting> crossing_chords(const Domain& domain, const Chains& chains) {
+  std::vector<Meeting> all;
+  for (const auto& [c, d] : segment_crossings(chains.points, chains.chords)) {
+    int s = chains.parts[at(c)].segment;
+    int t = chains.parts[at(d)].segment;
+    const auto is_straight = [&](int segment) { return domain.segments[at(segment)].is_straight(); };
+    if (s == t || (is_straight(s) && is_straight(t))) continue;
+    if (is_straight(s) || (s > t && !is_straight(t))) std::swap(s, t);
+    const Segment& first = chains.chords[at(c)];
+    const Segment& second = chains.chords[at(d)];
+    all.push_back({s, t,
+                   crossing_point(chains.points[at(first.a)], chains.points[at(first.b)], chains.points[at(second.a)],
+                                  chains.points[at(second.b)])});
   }
-  const std::vector<Meeting>& all() const { return all_; }
-
- private:
-  bool is_straight(int s) const { return domain_.segments[at(s)].is_straight(); }
-
-  void add(int s, int t, const Point& place, bool is_exact) {
-    if (s == t || (is_straight(s) && is_straight(t))) return;
-    if (is_straight(s)) std::swap(s, t);
-    all_.push_back({s, t, place, is_exact});
-  }
-
-  void find_crossing_chords() {
-    for (const auto& [c, d] : segment_crossings(chains_.points, chains_.chords)) {
-      const Segment& first = chains_.chords[at(c)];
-      const Segment& second = chains_.chords[at(d)];
-      add(chains_.segments[at(c)], chains_.segments[at(d)],
-          crossing_point(chains_.points[at(first.a)], chains_.points[at(first.b)], chains_.points[at(second.a)],
-                         chains_.points[at(second.b)]),
-          false);
-    }
-  }
-
-  // The segment that each point of a chain is inside of; -1 for points of the domain.
-  std::vector<int> segments_of_points() const {
-    std::vector<int> segments(chains_.points.size(), -1);
-    for (std::size_t c = 0; c < chains_.chords.size(); ++c) segments[at(chains_.chords[c].b)] = chains_.segments[c];
-    std::fill_n(segments.begin(), domain_.points.size(), -1);
-    return segments;
-  }
-
-  void find_ends_on_chords() {
-    const std::vector<int> segments = segments_of_points();
-    for (const auto& [c, p] : points_inside_segments(chains_.points, chains_.chords)) {
-      const int s = chains_.segments[at(c)];
-      if (segments[at(p)] >= 0) add(segments[at(p)], s, chains_.points[at(p)], is_straight(s));
-    }
-  }
-
-  void find_common_ends() {
-    const std::vector<int> segments = segments_of_points();
-    std::vector<int> order;
-    for (int p = static_cast<int>(domain_.points.size()); p < static_cast<int>(chains_.points.size()); ++p)
-      order.push_back(p);
-    const auto place = [this](int p) { return std::tuple(chains_.points[at(p)].x, chains_.points[at(p)].y, p); };
-    std::sort(order.begin(), order.end(), [&place](int p, int q) { return place(p) < place(q); });
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      const int p = order[i - 1];
-      const int q = order[i];
-      if (chains_.points[at(p)] != chains_.points[at(q)]) continue;
-      add(segments[at(p)], segments[at(q)], chains_.points[at(p)], true);
-    }
-  }
-
-  const Domain& domain_;
-  Chains chains_;
-  std::vector<Meeting> all_;
-};
+  return all;
+}
 
 bool is_in_range(double t) { return t >= 0.0 && t <= 1.0; }
 
@@ -180,19 +205,44 @@ std::optional<Point> refined(const Domain& domain, const Meeting& meeting) {
     if (std::abs(du) <= 1e-15 && std::abs(dv) <= 1e-15) break;
   }
   const Point p = point_on(domain, s, u);
-  const double extent = domain.curves[at(s.curve)].extent();
-  const bool is_on_both = norm(point_on(domain, t, v) - p) <= 1e-3 * near_end * extent;
+  const bool is_on_both = norm(point_on(domain, t, v) - p) <= 1e-3 * reach(domain.curves[at(s.curve)], p);
   if (!is_on_both || !is_in_range(u) || !is_in_range(v)) return std::nullopt;
   return p;
 }
 
+/// Places that are known, to take one again that is near.
+class KnownPlaces {
+ public:
+  Point near_or_new(const Point& p, double near) {
+    const auto last = by_x_.upper_bound(p.x + near);
+    for (auto place = by_x_.lower_bound(p.x - near); place != last; ++place)
+      if (norm(place->second - p) <= near) return place->second;
+    by_x_.emplace(p.x, p);
+    return p;
+  }
+
+ private:
+  std::multimap<double, Point> by_x_;
+};
+
 // An end of one of the segments in its place, if there is one.
-Point at_near_end(const Domain& domain, const Meeting& meeting, const Point& p) {
-  const double near = near_end * domain.curves[at(domain.segments[at(meeting.first)].curve)].extent();
-  for (const int s : {meeting.first, meeting.second})
+Point at_near_end(const Domain& domain, int first, int second, const Point& p, double near) {
+  for (const int s : {first, second})
     for (const int end : {domain.segments[at(s)].a, domain.segments[at(s)].b})
       if (norm(domain.points[at(end)] - p) <= near) return domain.points[at(end)];
   return p;
+}
+
+/// What of a chord's part of a curve may be beside another chord, and as much again as that is long to both sides.
+std::pair<double, double> part_beside(const Domain& domain, const Chains& chains, const PartChord& part,
+                                      const Segment& other) {
+  const Segment& s = domain.segments[at(part.segment)];
+  const Point& a = chains.points[at(other.a)];
+  const Point& b = chains.points[at(other.b)];
+  const auto [low, high] = std::minmax({parameter_on(domain, s, a), parameter_on(domain, s, b)});
+  const double length = norm(point_on(domain, s, part.to) - point_on(domain, s, part.from));
+  const double more = (part.to - part.from) * norm(b - a) / length;
+  return {std::clamp(low - more, part.from, part.to), std::clamp(high + more, part.from, part.to)};
 }
 
 bool ends_at(const Domain& domain, int segment, const Point& p) {
@@ -209,19 +259,26 @@ std::vector<double> chord_parameters(const Curve& curve, double share) {
 std::vector<Crossing> curve_crossings(const Domain& domain) {
   std::vector<Crossing> crossings;
   if (!has_curves(domain)) return crossings;
-  const Meetings meetings(domain);
-  std::map<std::pair<int, int>, std::vector<Point>> known;  // crossings of two segments
-  for (const Meeting& meeting : meetings.all()) {
-    std::optional<Point> p = refined(domain, meeting);
-    if (!p && meeting.is_exact) p = meeting.place;
-    if (!p) continue;
-    const Point place = at_near_end(domain, meeting, *p);
-    if (ends_at(domain, meeting.first, place) && ends_at(domain, meeting.second, place)) continue;
-    const double near = near_end * domain.curves[at(domain.segments[at(meeting.first)].curve)].extent();
-    std::vector<Point>& places = known[{meeting.first, meeting.second}];
-    if (std::ranges::any_of(places, [&](const Point& q) { return norm(q - place) <= near; })) continue;
-    places.push_back(place);
-    crossings.push_back({meeting.first, meeting.second, place});
+  const Chains chains = chains_of(domain);
+  std::map<std::pair<int, int>, CurveContacts> contacts;  // of two segments
+  const auto of = [&](int s, int t) -> CurveContacts& {
+    return contacts.try_emplace({s, t}, domain, s, t).first->second;
+  };
+  NearChords(domain, chains).for_each([&](std::size_t c, std::size_t d) {
+    const PartChord& part = chains.parts[c];
+    const auto [from, to] = part_beside(domain, chains, part, chains.chords[d]);
+    of(part.segment, chains.parts[d].segment).look_between(from, to);
+  });
+  for (const Meeting& meeting : crossing_chords(domain, chains))
+    if (const std::optional<Point> p = refined(domain, meeting)) of(meeting.first, meeting.second).add_crossing(*p);
+  KnownPlaces known;
+  for (const auto& [pair, found] : contacts) {
+    const auto& [s, t] = pair;
+    for (const Point& p : found.places()) {
+      const double near = found.reach_near(p);
+      const Point place = known.near_or_new(at_near_end(domain, s, t, p, near), near);
+      if (!ends_at(domain, s, place) || !ends_at(domain, t, place)) crossings.push_back({s, t, place});
+    }
   }
   return crossings;
 }

@@ -13,10 +13,10 @@ struct Crossing {
   Point place;
 };
 
-/// Where curved segments cross others, on both to rounding; an end of a segment within 1e-9 of the curve's extent is
-/// that end. Found by chords that are 1e-6 of the curve's extent away from it at most: what is shallower than that is
-/// missed. Not those in which a curve crosses itself or touches another, but for points of chords that lie exactly on
-/// straight segments. Cost: O(n log n) expected in the number of chords.
+/// Where curved segments cross or touch others, on both within reach of the curves. On a stretch where two are within
+/// reach of each other they meet in one place; an end within reach is that, and what is within reach of an earlier
+/// place is there. Not those in which a curve meets itself. Cost: O(n log n) expected in the number of chords that are
+/// 1e-6 of the curve's extent away from it at most.
 std::vector<Crossing> curve_crossings(const Domain& domain);
 
 /// Parameters along a curve, from 0 to 1, between which it is no farther from its chords than a share of its extent,

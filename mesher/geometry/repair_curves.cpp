@@ -6,20 +6,11 @@
 
 #include "mesher/errors.h"
 #include "mesher/geometry/repair.h"
-#include "mesher/geometry/rounding.h"
 #include "mesher/geometry/segment_path.h"
 #include "mesher/index.h"
 
 namespace parmesan {
 namespace {
-
-constexpr double tolerance = 1e-9;  // of a curve's extent, within which a point is on it
-
-/// The same as a length near a point: for pieces that of the curve they were cut from, whose ends they have; of curves
-/// that are small where coordinates are large 16 ulp of these.
-double reach(const Curve& curve, const Point& p) {
-  return std::max(tolerance * curve.whole_extent(), rounding_of({&p, 1}));
-}
 
 bool is_at_end(const Curve& curve, const Point& p) {
   return std::min(norm(p - curve.at(0.0)), norm(p - curve.at(1.0))) <= reach(curve, p);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mesher/geometry/rounding.h"
 #include "mesher/index.h"
 
 namespace parmesan {
@@ -34,6 +35,11 @@ double parameter_on(const Domain& domain, const Segment& segment, const Point& p
   if (p == b) return 1.0;
   if (!segment.is_straight()) return curve_of(domain, segment).nearest(p);
   return dot(p - a, b - a) / squared_norm(b - a);
+}
+
+double reach(const Curve& curve, const Point& p) {
+  constexpr double share_of_extent = 1e-9;
+  return std::max(share_of_extent * curve.whole_extent(), rounding_of({&p, 1}));
 }
 
 bool is_against(const Domain& domain, const Segment& segment, const Point& from, const Point& to) {

@@ -18,6 +18,10 @@ Vector derivative_on(const Domain& domain, const Segment& segment, double t);
 /// The parameter of the point of the segment that is nearest to p; on a straight one also beyond the ends.
 double parameter_on(const Domain& domain, const Segment& segment, const Point& p);
 
+/// How far from a curve a point near p may be to be taken for one of it: 1e-9 of its extent, for pieces that of the
+/// curve they were cut from, whose ends they have; where it is small and coordinates are large 16 ulp of these.
+double reach(const Curve& curve, const Point& p);
+
 /// Does it lead against the direction of the segment, from one of its points to another?
 bool is_against(const Domain& domain, const Segment& segment, const Point& from, const Point& to);
 

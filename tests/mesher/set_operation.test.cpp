@@ -127,6 +127,20 @@ double lens_area(double r, double d) {
   return 2.0 * r * r * std::acos(d / (2.0 * r)) - 0.5 * d * std::sqrt(4.0 * r * r - d * d);
 }
 
+/// Of shapes between circles and straight lines: the circles are still there, the mesh is no finer than it must be.
+void check_discs(const Domain& domain, double expected) {
+  constexpr double size = 0.1;
+  for (const Segment& s : domain.segments) {
+    const double turn = norm(derivative_on(domain, s, 0.3) - derivative_on(domain, s, 0.7));
+    CHECK(s.is_straight() == (turn == 0.0));
+  }
+  CHECK(domain.segments.size() < 60);
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(size))).mesh;
+  CHECK(oracle::problems_of(mesh) == std::vector<std::string>{});
+  CHECK(oracle::area_of(mesh) == Approx(expected).margin(0.02));  // chords of that size take 0.005 of each circle
+  CHECK(mesh.points.size() < 500 + static_cast<std::size_t>(2.0 * expected / (size * size)));
+}
+
 }  // namespace
 
 TEST_CASE("Set operations on two squares have the areas, corners and labels that one can draw", "[mesher][sets]") {
@@ -314,7 +328,7 @@ TEST_CASE("Curves stay curves where they cross others", "[mesher][sets]") {
   }
 }
 
-TEST_CASE("Curves that touch others become chords, and the result is valid", "[mesher][sets]") {
+TEST_CASE("Curves that touch others are split there, and the result is valid", "[mesher][sets]") {
   const Domain strip = box(-3, -1, 3, 1, 1);
   for (const double angle : {0.0, 0.3}) {
     const Point center{std::cos(angle), 0.0};
@@ -329,6 +343,71 @@ TEST_CASE("Curves that touch others become chords, and the result is valid", "[m
   const Mesh mesh = generate(crescent, ConstantField(Metric::isotropic(0.1))).mesh;
   CHECK(oracle::problems_of(mesh) == std::vector<std::string>{});
   CHECK(oracle::area_of(mesh) == Approx(3.0 * pi).epsilon(0.01));
+}
+
+TEST_CASE("Discs that touch, from inside or outside, keep their circles and have their areas", "[mesher][sets]") {
+  std::mt19937_64 random(31);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (int trial = 0; trial < 12; ++trial) {
+    const Point center = trial % 2 == 0 ? Point{0, 0} : Point{any(random), 100.0 * any(random)};
+    const double angle = trial % 3 == 0 ? 0.5 * pi * (trial / 3) : 2.0 * pi * any(random);
+    const double r = 0.1 * (2 + 5 * trial % 8);
+    const Vector out{std::cos(angle), std::sin(angle)};
+    CAPTURE(trial, angle, r);
+    const Domain disc = disc_at(center, 1.0, 1);
+    const Domain beside = disc_at(center + (1.0 + r) * out, r, 2);
+    const Domain within = disc_at(center + (1.0 - r) * out, r, 2);
+    const double small = pi * r * r;
+    check_discs(of_two(SetOperation::Union, disc, beside), pi + small);
+    check_discs(of_two(SetOperation::Difference, beside, disc), small);
+    CHECK(of_two(SetOperation::Intersection, disc, beside).segments.empty());
+    check_discs(of_two(SetOperation::Union, disc, within), pi);
+    check_discs(of_two(SetOperation::Intersection, disc, within), small);
+    check_discs(of_two(SetOperation::Difference, disc, within), pi - small);
+    CHECK(of_two(SetOperation::Difference, within, disc).segments.empty());
+  }
+}
+
+TEST_CASE("Rings, balls between them and discs that touch in one point have their areas", "[mesher][sets]") {
+  const double turn = GENERATE(0.0, 0.1, 0.7, 1.3);
+  const Point center{0.25, 1.0 / 3.0};
+  const auto out = [&](double angle) { return Vector{std::cos(turn + angle), std::sin(turn + angle)}; };
+  const auto ring_at = [&](double outer, double inner) {
+    return of_two(SetOperation::Difference, disc_at(center, outer, 1), disc_at(center, inner, 2));
+  };
+  CAPTURE(turn);
+  SECTION("a ball bearing") {
+    std::vector<Domain> parts{ring_at(1.0, 0.8), ring_at(0.6, 0.4)};
+    for (int i = 0; i < 5; ++i) parts.push_back(disc_at(center + 0.7 * out(0.4 * pi * i), 0.1, 3));
+    check_discs(combine(SetOperation::Union, parts), pi * (0.36 + 0.2 + 5 * 0.01));
+    std::swap(parts.front(), parts.back());
+    check_discs(combine(SetOperation::Union, parts), pi * (0.36 + 0.2 + 5 * 0.01));
+  }
+  SECTION("a disc around the hole that touches it, and one inside of it") {
+    const Domain around = disc_at(center + 0.25 * out(0), 0.75, 3);
+    const Domain inside = disc_at(center + 0.25 * out(0), 0.25, 3);
+    check_discs(of_two(SetOperation::Union, ring_at(1.0, 0.5), around), pi);
+    check_discs(of_two(SetOperation::Union, ring_at(1.0, 0.5), inside), pi * (0.75 + 0.0625));
+    check_discs(of_two(SetOperation::Intersection, ring_at(1.0, 0.5), around), pi * (0.5625 - 0.25));
+    check_discs(of_two(SetOperation::Difference, ring_at(1.0, 0.5), around), pi * (1.0 - 0.5625));
+  }
+  SECTION("three circles in one point") {
+    const Domain whole = disc_at(center, 1.0, 1);
+    const Domain large = disc_at(center + 0.25 * out(0), 0.75, 2);
+    const Domain small = disc_at(center + 0.5 * out(0), 0.5, 3);
+    const double crescent = pi * (1.0 - 0.5625);
+    check_discs(combine(SetOperation::Difference, std::vector<Domain>{whole, large, small}), crescent);
+    check_discs(combine(SetOperation::Union, std::vector<Domain>{small, large, whole}), pi);
+  }
+  SECTION("a line that touches a disc") {
+    const Point top = center + out(0);
+    const Vector side{-out(0).y, out(0).x};
+    const Domain below = polygon(
+        {top - 2.0 * side - 3.0 * out(0), top + 2.0 * side - 3.0 * out(0), top + 2.0 * side, top - 2.0 * side}, 2);
+    check_discs(of_two(SetOperation::Difference, below, disc_at(center, 1.0, 1)), 12.0 - pi);
+    check_discs(of_two(SetOperation::Union, below, disc_at(top + 0.5 * out(0), 0.5, 1)), 12.0 + 0.25 * pi);
+    check_discs(of_two(SetOperation::Intersection, below, disc_at(center, 1.0, 1)), pi);
+  }
 }
 
 TEST_CASE("Curves that all but touch or run together have a result without errors", "[mesher][sets]") {
