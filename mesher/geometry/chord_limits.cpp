@@ -142,7 +142,8 @@ void limit_chord_errors(Domain& domain, const Outline& outline, double share_of_
       if (!(from < to)) continue;
       const double there = gap.beside(
           i, [&curve](double s) { return curve.at(s); }, from, to, halvings);
-      curve.lower_chord_error(arc, share_of_gap * (gap.is_certain(there) ? there : least[at(chord.whole.curve)]));
+      const double narrowest = gap.is_certain(there) ? there : least[at(chord.whole.curve)];
+      curve.lower_chord_error(arc, share_of_gap * std::max(narrowest, reach(curve, curve.at(from))));
     }
   }
 }

@@ -43,15 +43,18 @@ class ChordSearch {
   CurveConflict last_;
 };
 
-// What cannot be told apart by halving is a conflict.
+// What cannot be told apart by halving, or is within reach of the curve, is a conflict.
 void ChordSearch::must_halve(int chord, int other, const Point& place) {
   constexpr double smallest = 1e-10;
+  constexpr double share_of_reach = 1.0 / 8.0;
   if (is_straight(chord)) return;
   const SegmentChord& c = chords_[chord];
   const Point a = point_on(domain_, segment(chord), c.t0);
   const Point b = point_on(domain_, segment(chord), c.t1);
   last_ = {c.segment, chords_[other].segment, place};
-  if (norm(b - a) <= smallest * size_) conflict_ = last_;
+  const Curve& curve = domain_.curves[at(segment(chord).curve)];
+  const bool is_in_reach = curve.deviation(c.t0, c.t1) <= share_of_reach * reach(curve, place);
+  if (is_in_reach || norm(b - a) <= smallest * size_) conflict_ = last_;
   to_halve_[at(chord)] = 1;
   any_ = true;
 }

@@ -29,9 +29,9 @@ struct OutlineResult {
 
 /// Chords that turn by 30 degrees at most, halved until they can stand for their arcs and, as long as they are fewer
 /// than 20 000, until they are off by no more than a quarter of the gap to the next curve or segment. A conflict is
-/// what is left when they are under 1e-10 of the domain's size, or more than 100 000 and 100 for each segment. The
-/// domain must be clean but for that. Cost: O(n log n) expected in the number of segments and chords, times the number
-/// of rounds of halvings, about 40.
+/// what is left when they are under 1e-10 of the domain's size, off by an eighth of the curve's reach, or more than
+/// 100 000 and 100 for each segment. The domain must be clean but for that. Cost: O(n log n) expected in the number of
+/// segments and chords, times the number of rounds of halvings, about 40.
 OutlineResult find_outline(const Domain& domain);
 
 /// The outline of a clean domain.

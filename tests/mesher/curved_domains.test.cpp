@@ -184,6 +184,31 @@ TEST_CASE("Narrow gaps between curves, inside and outside, are kept", "[mesher]"
   }
 }
 
+TEST_CASE("A hole that touches the circle around it is refused, and joined to it by repair", "[mesher]") {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  for (const double gap : {0.0, 1e-16, 1e-14, 1e-12, -1e-12}) {
+    for (int trial = 0; trial < 2; ++trial) {
+      const double angle = 2.0 * pi * any(random);
+      const double r = 0.2 + 0.7 * any(random);
+      const Vector out{std::cos(angle), std::sin(angle)};
+      Domain ring = support::disc(1.0);
+      support::add_closed_curve(ring, support::circle({(1.0 - r - gap) * out.x, (1.0 - r - gap) * out.y}, r), 2);
+      ring.holes = {{(1.0 - r) * out.x, (1.0 - r) * out.y}};
+      CAPTURE(gap, angle, r);
+      CHECK_THROWS_AS(clean(ring), GeometryError);
+      const Domain joined = clean(ring, Crossings::Split).domain;
+      CHECK(std::ranges::count_if(joined.points, [&](const Point& p) {
+              return norm(p - Point{out.x, out.y}) < 1e-9;
+            }) == 1);
+      const Mesh mesh = mesh_of(joined, ConstantField(Metric::isotropic(0.1)));
+      CHECK(oracle::problems_of(mesh).empty());
+      CHECK(oracle::area_of(mesh) == Approx(pi * (1.0 - r * r)).margin(0.02));
+      CHECK(mesh.points.size() < 1500);
+    }
+  }
+}
+
 TEST_CASE("Random closed splines are meshed in random metrics", "[mesher]") {
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
