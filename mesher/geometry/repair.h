@@ -124,8 +124,7 @@ DomainRepair note_close_points(DomainRepair repair);
 
 /// Splits segments at points inside them and where they cross, until no crossing is left: rounded crossing points turn
 /// the pieces a little, which may make them cross others. No rounding is known that ends for sure, so rounds are
-/// counted. Curves are split where they cross other segments, but neither themselves nor what they touch between
-/// points.
+/// counted. Curves are split where they cross or touch other segments, but not themselves.
 /// Errors: GeometryError for a million crossings, and as split_at_inner_vertices.
 DomainRepair split_at_crossings(DomainRepair repair);
 
