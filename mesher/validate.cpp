@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "mesher/errors.h"
 #include "mesher/geometry/predicates.h"
+#include "mesher/geometry/rounding.h"
+#include "mesher/geometry/segment_contacts.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
 #include "mesher/number_text.h"
@@ -75,47 +80,99 @@ void check_required(const Mesh& mesh, const std::vector<int>& numbers, std::size
   }
 }
 
-void check_triangles(const Mesh& mesh) {
-  std::vector<bool> is_used(mesh.points.size(), false);
+/// How often the triangles at a point pass the direction of x from there: twice is once too often, since then they
+/// overlap.
+enum Rounds : std::uint8_t { NoTriangle, None, Once, MoreOften };
+
+/// Returns the rounds at each point. Of a counter-clockwise triangle the corner between the others in height passes the
+/// direction of x where it is to the right of these.
+std::vector<std::uint8_t> check_triangles(const Mesh& mesh) {
+  std::vector<std::uint8_t> rounds(mesh.points.size(), NoTriangle);
   for (int i = 0; i < mesh.num_triangles(); ++i) {
     std::array<Point, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t v = static_cast<std::size_t>(mesh.triangles[at(i)][k]);
-      is_used[v] = true;
-      corner[k] = mesh.points[v];
-    }
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.points[at(mesh.triangles[at(i)][k])];
     const double area = orient2d(corner[0], corner[1], corner[2]);
-    if (area > 0.0) continue;
-    throw GeometryError(
-        "triangle " + number_text(mesh, i) + (area < 0.0 ? " is clockwise, not counter-clockwise" : " has no area"),
-        {i});
+    if (!(area > 0.0))
+      throw GeometryError(
+          "triangle " + number_text(mesh, i) + (area < 0.0 ? " is clockwise, not counter-clockwise" : " has no area"),
+          {i});
+    std::array<unsigned, 3> goes_down{};  // from corner k to the next; at one height to the left is down
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point &from = corner[k], &to = corner[(k + 1) % 3];
+      goes_down[k] = static_cast<unsigned>(to.y < from.y) |
+                     (static_cast<unsigned>(to.y == from.y) & static_cast<unsigned>(to.x < from.x));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint8_t& count = rounds[at(mesh.triangles[at(i)][k])];
+      const unsigned passes = goes_down[k] & goes_down[(k + 2) % 3];
+      count = static_cast<std::uint8_t>(std::min<unsigned>(MoreOften, std::max<unsigned>(count, None) + passes));
+    }
   }
   for (int i = 0; i < mesh.num_vertices(); ++i) {
-    if (is_used[at(i)]) continue;
+    if (rounds[at(i)] != NoTriangle) continue;
     throw GeometryError("point " + number_text(mesh, i) + " belongs to no triangle", {i});
   }
+  return rounds;
 }
+
+std::string name_of(const Mesh& mesh, int a, int b) { return number_text(mesh, a) + "-" + number_text(mesh, b); }
 
 bool is_sound(const MeshSide& side) {
   if (side.left < 0 && side.right < 0) return false;
   return !side.is_boundary() || (side.edge >= 0 && side.edge_goes_down != (side.right < 0));
 }
 
-// That of the lowest end points. What for_each_side itself finds wrong comes first.
-std::optional<MeshSide> lowest_unsound_side(const Mesh& mesh, const HalfEdges& half_edges) {
+/// What is looked for side by side.
+struct SidesFound {
+  std::optional<MeshSide> lowest_unsound;  // that of the lowest end points
+  std::vector<Segment> boundary;
+};
+
+// What for_each_side itself finds wrong comes first.
+SidesFound look_at_sides(const Mesh& mesh, const HalfEdges& half_edges) {
   std::mutex mutex;
-  std::optional<MeshSide> lowest;
+  SidesFound found;
+  std::vector<char> is_boundary(mesh.edges.size(), 0);
   const auto ends = [](const MeshSide& side) { return std::pair(side.low, side.high); };
   for_each_side(mesh, half_edges, [&](const MeshSide& side) {
+    if (side.is_boundary() && side.edge >= 0) is_boundary[at(side.edge)] = 1;
     if (is_sound(side)) return;
     const std::lock_guard lock(mutex);
-    if (!lowest || ends(side) < ends(*lowest)) lowest = side;
+    if (!found.lowest_unsound || ends(side) < ends(*found.lowest_unsound)) found.lowest_unsound = side;
   });
-  return lowest;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if (is_boundary[e] != 0) found.boundary.push_back({mesh.edges[e][0], mesh.edges[e][1], 0});
+  return found;
 }
 
-// Without what needs to know which triangles share a side.
-void check_parts(const Mesh& mesh) {
+/// Whether each of two segments that cross ends farther from the other, to both sides, than rounding moves a point.
+bool cross_by_more_than_rounding(const Mesh& mesh, const Segment& s, const Segment& t, double rounding) {
+  const auto point = [&mesh](int v) { return mesh.points[at(v)]; };
+  const auto is_far = [&](int v, const Segment& from) {
+    const double doubled = doubled_area(point(from.a), point(from.b), point(v));
+    return std::abs(doubled) > rounding * norm(point(from.b) - point(from.a));
+  };
+  return is_far(s.a, t) && is_far(s.b, t) && is_far(t.a, s) && is_far(t.b, s);
+}
+
+/// Parts that lie across each other share no point, but their boundaries cross.
+void refuse_crossings(const Mesh& mesh, const SidesFound& sides) {
+  constexpr std::size_t max_crossings = 1000;
+  const double rounding = rounding_of(mesh.points);
+  for (const auto& [i, j] : evident_crossings(mesh.points, sides.boundary, max_crossings).pairs) {
+    const Segment& s = sides.boundary[at(i)];
+    const Segment& t = sides.boundary[at(j)];
+    if (!cross_by_more_than_rounding(mesh, s, t, rounding)) continue;
+    const auto point = [&mesh](int v) { return mesh.points[at(v)]; };
+    throw GeometryError("the boundary sides " + name_of(mesh, s.a, s.b) + " and " + name_of(mesh, t.a, t.b) +
+                            " cross at " + text(crossing_point(point(s.a), point(s.b), point(t.a), point(t.b))) +
+                            ": the triangles overlap",
+                        {s.a, s.b, t.a, t.b});
+  }
+}
+
+// Without what needs to know which triangles share a side. Returns the rounds of check_triangles.
+std::vector<std::uint8_t> check_parts(const Mesh& mesh) {
   check_counts(mesh);
   check_regions(mesh);
   check_points(mesh);
@@ -124,11 +181,11 @@ void check_parts(const Mesh& mesh) {
   check_required(mesh, mesh.required.vertices, mesh.points.size(), "point");
   check_required(mesh, mesh.required.edges, mesh.edges.size(), "edge");
   check_required(mesh, mesh.required.triangles, mesh.triangles.size(), "triangle");
-  check_triangles(mesh);
+  return check_triangles(mesh);
 }
 
 [[noreturn]] void refuse(const Mesh& mesh, const MeshSide& side) {
-  const auto name = [&] { return number_text(mesh, side.low) + "-" + number_text(mesh, side.high); };
+  const auto name = [&] { return name_of(mesh, side.low, side.high); };
   if (side.left < 0 && side.right < 0) {
     throw GeometryError("edge " + number_text(mesh, side.edge) + " (" + name() + ") is not a side of any triangle",
                         {side.edge});
@@ -144,16 +201,29 @@ void check_parts(const Mesh& mesh) {
                       {side.edge});
 }
 
+void check_boundary(const Mesh& mesh, const std::vector<std::uint8_t>& rounds, const HalfEdges& half_edges) {
+  const SidesFound sides = look_at_sides(mesh, half_edges);
+  if (sides.lowest_unsound) refuse(mesh, *sides.lowest_unsound);
+  const auto found = std::ranges::find_if(rounds, [](std::uint8_t count) { return count == MoreOften; });
+  if (found != rounds.end()) {
+    const auto v = static_cast<int>(found - rounds.begin());
+    throw GeometryError("the triangles at point " + number_text(mesh, v) + " overlap: they go round it more than once",
+                        {v});
+  }
+  refuse_crossings(mesh, sides);
+}
+
 }  // namespace
 
+// Half-edges are made once indices are known to be in range.
 void validate(const Mesh& mesh) {
-  check_parts(mesh);
-  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, HalfEdges(mesh))) refuse(mesh, *side);
+  const std::vector<std::uint8_t> rounds = check_parts(mesh);
+  check_boundary(mesh, rounds, HalfEdges(mesh));
 }
 
 void validate(const Mesh& mesh, const HalfEdges& half_edges) {
-  check_parts(mesh);
-  if (const std::optional<MeshSide> side = lowest_unsound_side(mesh, half_edges)) refuse(mesh, *side);
+  const std::vector<std::uint8_t> rounds = check_parts(mesh);
+  check_boundary(mesh, rounds, half_edges);
 }
 
 }  // namespace parmesan

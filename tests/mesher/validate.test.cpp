@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -183,4 +184,58 @@ TEST_CASE("validate is not slow when one vertex has all the edges", "[mesher][me
   const auto start = std::chrono::steady_clock::now();
   CHECK_NOTHROW(validate(mesh));
   CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 2.0);
+}
+
+namespace {
+
+/// Triangles around point 0, which go round it as often; the last and the first share a side.
+Mesh wound_fan(int triangles, int times) {
+  Mesh mesh;
+  mesh.points.push_back({0.25, -0.5});
+  for (int i = 0; i < triangles; ++i) {
+    const double angle = 2.0 * std::acos(-1.0) * times * i / triangles + 0.1;
+    mesh.points.push_back(mesh.points.front() + Vector{std::cos(angle), std::sin(angle)});
+    const int next = i + 1 < triangles ? i + 2 : 1;
+    mesh.triangles.push_back({0, i + 1, next});
+    mesh.edges.push_back({i + 1, next});
+  }
+  mesh.regions.assign(mesh.triangles.size(), 0);
+  mesh.labels.assign(mesh.edges.size(), 1);
+  return mesh;
+}
+
+/// The mesh and a second one beside it, moved, that shares no point with it.
+Mesh with_moved_copy(const Mesh& mesh, const Vector& move) {
+  Mesh both = mesh;
+  const int n = mesh.num_vertices();
+  for (const Point& p : mesh.points) both.points.push_back(p + move);
+  for (const auto& [a, b, c] : mesh.triangles) both.triangles.push_back({a + n, b + n, c + n});
+  for (const auto& [a, b] : mesh.edges) both.edges.push_back({a + n, b + n});
+  both.regions.insert(both.regions.end(), mesh.regions.begin(), mesh.regions.end());
+  both.labels.insert(both.labels.end(), mesh.labels.begin(), mesh.labels.end());
+  return both;
+}
+
+}  // namespace
+
+TEST_CASE("validate refuses triangles that go round a point more than once", "[mesher][mesh][errors]") {
+  for (const int triangles : {7, 9, 20}) {
+    CHECK_NOTHROW(validate(wound_fan(triangles, 1)));
+    CHECK_THROWS_WITH(validate(wound_fan(triangles, 2)), Contains("the triangles at point 0 overlap"));
+    CHECK_THROWS_WITH(validate(wound_fan(triangles, 3)), Contains("the triangles at point 0 overlap"));
+  }
+}
+
+TEST_CASE("validate refuses parts that lie across each other, and takes those that do not", "[mesher][mesh][errors]") {
+  const Mesh mesh = support::rectangle_mesh(3, 3);
+  CHECK_NOTHROW(validate(with_moved_copy(mesh, {1.0, 0.0})));   // doubled vertices along a side
+  CHECK_NOTHROW(validate(with_moved_copy(mesh, {1.0, 0.25})));  // that do not fit
+  CHECK_NOTHROW(validate(with_moved_copy(mesh, {1.0, 1.0})));
+  CHECK_NOTHROW(validate(with_moved_copy(mesh, {1.5, 0.5})));
+  CHECK_NOTHROW(validate(with_moved_copy(mesh, {1.0 - 1e-15, 0.25})));  // but for rounding
+  CHECK_THROWS_WITH(validate(with_moved_copy(mesh, {0.9, 0.25})), Contains("boundary sides") && Contains("cross at"));
+  CHECK_THROWS_WITH(validate(with_moved_copy(mesh, {1.0 - 1e-9, 0.25})), Contains("cross at"));
+  Mesh from_one = with_moved_copy(mesh, {0.9, 0.25});
+  from_one.first_number = 1;
+  CHECK_THROWS_WITH(validate(from_one), Contains("boundary sides 4-8 and 17-18 cross at (1, 0.25)"));
 }
