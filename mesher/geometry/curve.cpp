@@ -39,6 +39,32 @@ bool turns_beside(const Curve& curve, double from, double to, const Vector& midd
                      [&](double share) { return angle(curve.tangent(from + share * (to - from)), middle) > max_turn; });
 }
 
+/// Whether the way from a to b turns more from the tangent between than tangents turn there, so that a piece of the
+/// curve is missed, or it jumps; not so for ways that rounding turns.
+bool leaves_tangents(const Point& a, const Point& b, const Vector& tangent, double turned) {
+  constexpr double precise = 1024.0;
+  constexpr double little = 1e-3;
+  return norm(b - a) > precise * rounding_of(std::array{a, b}) && angle(b - a, tangent) > std::max(turned, little);
+}
+
+/// Whether points of a short piece stay as far apart when it is made shorter: where a curve is only steep they come
+/// together.
+bool jumps_between(const Curve& curve, double from, double to, double extent) {
+  constexpr int halvings = 8;
+  constexpr double seen = 1e-6;  // of the extent
+  const auto chord = [&curve](double t0, double t1) { return norm(curve.at(t1) - curve.at(t0)); };
+  double first = 0.0, last = 0.0;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (from + to);
+    const double before = chord(from, middle), after = chord(middle, to);
+    last = std::max(before, after);
+    if (i == 0) first = last;
+    (before < after ? from : to) = middle;
+  }
+  const double noticed = std::max(seen * extent, rounding_of(std::array{curve.at(from), curve.at(to)}));
+  return first > noticed && last > 0.5 * first;
+}
+
 }  // namespace
 
 Curve::Curve(Map point, Map derivative, double first, double last, std::vector<double> breaks)
@@ -100,7 +126,10 @@ void Curve::sample() {
     if (t > 0.0 && t < 1.0) marks.push_back(t);
   }
   std::sort(marks.begin(), marks.end());
-  samples_.push_back({0.0, checked_point(0.0), 0.0, 0.0});
+  std::vector<Point> at_marks;
+  for (const double t : marks) at_marks.push_back(checked_point(t));
+  extent_ = bounding_diagonal(at_marks);
+  samples_.push_back({0.0, at_marks.front(), 0.0, 0.0});
   for (std::size_t i = 1; i < marks.size(); ++i)
     if (marks[i] > marks[i - 1]) sample_between(marks[i - 1], marks[i]);
   extent_ = bounding_diagonal(sample_points());
@@ -132,12 +161,17 @@ void Curve::sample_between(double first, double last) {
     const Place end = ends.back();
     const Place middle = place_at(0.5 * (from.t + end.t));
     double turned = angle(from.tangent, middle.tangent) + angle(middle.tangent, end.tangent);
-    if (end.t - from.t > smallest && (turned > max_turn || turns_beside(*this, from.t, end.t, middle.tangent))) {
+    const bool is_followed = turned <= max_turn && !turns_beside(*this, from.t, end.t, middle.tangent) &&
+                             !leaves_tangents(from.point, end.point, middle.tangent, turned);
+    if (end.t - from.t > smallest && !is_followed) {
       if (samples_.size() + ends.size() > max_samples)
         throw GeometryError("the curve winds without end near parameter " + std::to_string(parameter(middle.t)));
       ends.push_back(middle);
       continue;
     }
+    if (!is_followed && jumps_between(*this, from.t, end.t, extent_))
+      throw GeometryError("the curve jumps at parameter " + std::to_string(parameter(end.t)) + ", by " +
+                          std::to_string(norm(end.point - from.point)));
     if (turned > max_turn) {
       if (end.t > at_end && end.t < 1.0 - at_end) kinks_.push_back(end.t);
       turned = 0.0;

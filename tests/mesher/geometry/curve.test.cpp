@@ -184,3 +184,35 @@ TEST_CASE("Curves that cannot be followed are refused", "[mesher][geometry][erro
   CHECK_THROWS_AS(make([](double s) { return Point{s, 0.0}; }, 0.0), GeometryError);
   CHECK_THROWS_AS(make([](double s) { return Point{s, 0.0}; }, std::numeric_limits<double>::infinity()), GeometryError);
 }
+
+TEST_CASE("Curves that jump are refused with the parameter", "[mesher][geometry][errors]") {
+  const auto level = [](const Curve::Map& point) {
+    return Curve(
+        point,
+        [](double) {
+          return Vector{1.0, 0.0};
+        },
+        0.0, 2.0);
+  };
+  const double at = GENERATE(0.53, 1.0, 1.7);
+  for (const double height : {-0.2, 1e-3}) {
+    CAPTURE(at, height);
+    CHECK_THROWS_WITH(level([=](double s) {
+                        return Point{s, s < at ? 0.0 : height};
+                      }),
+                      Catch::Contains("jumps at parameter " + std::to_string(at)));
+  }
+  CHECK_THROWS_WITH(level([=](double s) { return Point{s < at ? s : s - 0.3, 0.0}; }), Catch::Contains("jumps at"));
+}
+
+TEST_CASE("Curves that are steep without a jump are followed", "[mesher][geometry]") {
+  const double power = GENERATE(0.5, 1.0 / 3.0, 0.2, 1.0);
+  const double at = GENERATE(0.0, 0.53, 0.7);
+  const double offset = GENERATE(0.0, 1e6);
+  const auto cusp = [=](double s) { return Point{s, offset + std::pow(std::abs(s - at), power)}; };
+  const auto slope = [=](double s) {
+    const double d = s - at;
+    return Vector{1.0, std::copysign(power * std::pow(std::abs(d), power - 1.0), d)};
+  };
+  CHECK_NOTHROW(Curve(cusp, slope, 0.0, 1.0));
+}
