@@ -111,6 +111,7 @@ void refuse_straight_crossings(const DomainRepair& repair);
 void refuse_curve_conflicts(const DomainRepair& repair);
 
 /// Gives a crack of one segment a point in its middle, unless another goes on: one edge alone might not open.
+/// Errors: GeometryError for one between free ends that is required to stay one edge.
 DomainRepair halve_single_cracks(DomainRepair repair);
 
 /// Notes chains that end freely. Errors: GeometryError, with an open end, when nothing is enclosed.

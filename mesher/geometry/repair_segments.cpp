@@ -67,6 +67,13 @@ std::string label_of_joined(const LabelNames& names, const Segment& dropped, con
   return result + (dropped.label_right && !stays.label_right ? ", which is no crack" : "");
 }
 
+[[noreturn]] void refuse_single_required(const DomainRepair& repair, int segment) {
+  throw GeometryError("segment " + repair.segment_text(segment) +
+                          " is a crack between two free ends and required to stay one edge, which cannot open; give it "
+                          "as two segments",
+                      {repair.source_segment(segment)});
+}
+
 /// The points where only one segment ends, and whether some segments enclose an area.
 struct FreeEnds {
   std::vector<int> points;
@@ -199,10 +206,12 @@ DomainRepair split_at_inner_vertices(DomainRepair repair) {
 }
 
 DomainRepair halve_single_cracks(DomainRepair repair) {
-  std::vector<int> cracks(repair.domain.points.size(), 0);
+  std::vector<int> cracks(repair.domain.points.size(), 0), segments(cracks);  // that end at each point
   for (const Segment& s : repair.domain.segments)
-    if (s.label_right)
-      for (const int v : {s.a, s.b}) ++cracks[at(v)];
+    for (const int v : {s.a, s.b}) {
+      ++segments[at(v)];
+      if (s.label_right) ++cracks[at(v)];
+    }
   // Whether other segments there are the boundary, where it would be open, is not known yet.
   const auto may_be_tip = [&](int v) { return cracks[at(v)] == 1; };
   std::vector<std::vector<int>> along(repair.domain.segments.size());
@@ -211,6 +220,10 @@ DomainRepair halve_single_cracks(DomainRepair repair) {
   for (std::size_t i = 0; i < along.size(); ++i) {
     const Segment& whole = repair.domain.segments[i];
     if (!whole.label_right || !may_be_tip(whole.a) || !may_be_tip(whole.b)) continue;
+    if (whole.required) {  // it may end on the boundary, and open there
+      if (segments[at(whole.a)] == 1 && segments[at(whole.b)] == 1) refuse_single_required(repair, static_cast<int>(i));
+      continue;
+    }
     if (whole.is_straight()) along[i].push_back(static_cast<int>(repair.domain.points.size()));
     any_curved = any_curved || !whole.is_straight();
     repair.domain.points.push_back(point_on(repair.domain, whole, 0.5));

@@ -331,3 +331,17 @@ TEST_CASE("doubled vertices survive files", "[mesher][cracks][io]") {
   }
   CHECK_THROWS_AS(write_mesh_file(folder / "e.poly", mesh), FileError);
 }
+
+TEST_CASE("a crack that is required to stay one edge is refused between free ends, and taken where it opens",
+          "[mesher][cracks][required][errors]") {
+  Domain domain = support::unit_square();
+  domain.points.insert(domain.points.end(), {{0.3, 0.5}, {0.7, 0.6}});
+  domain.segments.push_back({4, 5, above, below, true});
+  CHECK_THROWS_WITH(clean(domain), Catch::Contains("segment 4") && Catch::Contains("cannot open"));
+  domain.points[4] = {0.0, 0.5};  // on the boundary
+  const CleanDomain cleaned = clean(domain);
+  CHECK(std::ranges::count_if(cleaned.domain.segments, [](const Segment& s) { return s.required; }) == 1);
+  const Mesh mesh = generate(domain, ConstantField(Metric::isotropic(0.2))).mesh;
+  CHECK(std::ranges::count(mesh.labels, above) == 1);
+  CHECK(std::ranges::count(mesh.labels, below) == 1);
+}
