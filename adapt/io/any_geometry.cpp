@@ -11,6 +11,7 @@
 #include "mesher/io/boundary_edges.h"
 #include "mesher/io/geometry_file.h"
 #include "mesher/io/mesh_file.h"
+#include "mesher/io/msh.h"
 #include "mesher/io/text.h"
 
 namespace parmesan {
@@ -33,11 +34,13 @@ void refuse_clockwise_triangles(const Mesh& mesh) {
 
 GeometryInput read_other_geometry(const std::string& path) {
   if (is_domain_file_name(path)) return {read_geometry(path), std::nullopt};
-  Mesh mesh = read_mesh_file(path);
+  MeshData data = file_suffix(path) == ".msh" ? read_msh(path) : MeshData{.mesh = read_mesh_file(path), .fields = {}};
+  Mesh& mesh = data.mesh;
   if (mesh.triangles.empty()) return {geometry_of(std::move(mesh)), std::nullopt};
   refuse_clockwise_triangles(mesh);
   cover_boundary(mesh);
   Domain domain = domain_of(mesh);
+  domain.notes.insert(domain.notes.begin(), data.mesh_notes.begin(), data.mesh_notes.end());
   return {std::move(domain), std::move(mesh)};
 }
 

@@ -29,7 +29,8 @@ struct MeshFields {
 struct MeshData {
   Mesh mesh;
   MeshFields fields;
-  std::vector<std::string> notes = {};  // what was left out of the fields, or is doubtful, one sentence each
+  std::vector<std::string> notes = {};       // what was left out of the fields, or is doubtful, one sentence each
+  std::vector<std::string> mesh_notes = {};  // what was changed in the mesh, one sentence each
 };
 
 /// What files whose format has no section for required parts call the field that marks them, by 1 among 0.

@@ -131,10 +131,18 @@ std::vector<int> take_used_nodes(const MshContent& content, Mesh& mesh) {
   return used;
 }
 
-void turn_clockwise_triangles(Mesh& mesh) {
-  for (auto& [a, b, c] : mesh.triangles) {
-    if (doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]) < 0.0) std::swap(b, c);
+/// Gmsh has surfaces seen from either side. Returns what to tell where not all are turned.
+std::vector<std::string> turn_clockwise_triangles(Mesh& mesh) {
+  int count = 0, first = -1;
+  for (int t = 0; t < mesh.num_triangles(); ++t) {
+    auto& [a, b, c] = mesh.triangles[at(t)];
+    if (!(doubled_area(mesh.points[at(a)], mesh.points[at(b)], mesh.points[at(c)]) < 0.0)) continue;
+    std::swap(b, c);
+    if (++count == 1) first = t;
   }
+  if (count == 0 || count == mesh.num_triangles()) return {};
+  return {"turned " + std::to_string(count) + " of " + std::to_string(mesh.num_triangles()) +
+          " triangles, which are clockwise, others not; the first is triangle " + number_text(mesh, first)};
 }
 
 /// The components in the plane of one value.
@@ -232,7 +240,7 @@ MeshData mesh_data_of(MshContent content) {
   mesh.triangles = std::move(content.triangles.nodes);
   if (mesh.edges.empty() && mesh.triangles.empty()) throw InputError("has neither lines nor triangles");
   const std::vector<int> used = take_used_nodes(content, mesh);
-  turn_clockwise_triangles(mesh);
+  data.mesh_notes = turn_clockwise_triangles(mesh);
   if (!mesh.triangles.empty()) cover_boundary(mesh);
   std::vector<std::int64_t> node_tags;
   node_tags.reserve(used.size());

@@ -6,9 +6,23 @@
 
 namespace parmesan {
 
+namespace {
+
+/// For each label the lowest of the same name: readers that go by names would lose all but one.
+std::map<int, int> first_of_name(const std::vector<int>& labels, const LabelNames& names) {
+  std::map<std::string, int> first;
+  std::map<int, int> result;
+  for (const int label : ascending(labels))
+    result[label] = names.contains(label) ? first.try_emplace(names.at(label), label).first->second : label;
+  return result;
+}
+
+}  // namespace
+
 std::vector<MshEntity> msh_entities_of(const std::vector<int>& labels, const LabelNames& names) {
+  const std::map<int, int> first = first_of_name(labels, names);
   std::map<int, MshEntity> by_label;
-  for (std::size_t i = 0; i < labels.size(); ++i) by_label[labels[i]].members.push_back(static_cast<int>(i));
+  for (std::size_t i = 0; i < labels.size(); ++i) by_label[first.at(labels[i])].members.push_back(static_cast<int>(i));
   int next_free = 1;
   const auto take_free = [&by_label, &next_free] {
     while (by_label.contains(next_free)) ++next_free;

@@ -14,7 +14,7 @@ struct MshEntity {
   std::vector<int> members;  // edges, triangles or points
 };
 
-/// The entities of these labels, ascending; those below 1 get the next free numbers.
+/// The entities of these labels, ascending; those of one name are one, those below 1 get the next free numbers.
 std::vector<MshEntity> msh_entities_of(const std::vector<int>& labels, const LabelNames& names);
 
 /// That of the points of a geometry that no line ends at, where there are any. Meshes have none that can be used.

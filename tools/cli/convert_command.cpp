@@ -78,6 +78,7 @@ void convert_geometry(const ConvertArguments& arguments) {
 
 void convert_mesh(const ConvertArguments& arguments) {
   const MeshData data = read_mesh_data(arguments.in);
+  for (const std::string& note : data.mesh_notes) print_warning(note);
   for (const std::string& note : data.notes) print_warning(note);
   write(arguments, data.mesh, data.fields);
 }

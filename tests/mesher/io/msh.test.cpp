@@ -298,3 +298,35 @@ TEST_CASE("Fields of the wrong size are not written to Gmsh's format", "[mesher]
   CHECK_THROWS_AS(write_msh(folder / "m.msh", sample_mesh(2), fields, Encoding::Binary), FileError);
   CHECK(folder.num_files() == 0);
 }
+
+TEST_CASE("Labels of one name are one group of Gmsh's", "[mesher][io][msh]") {
+  const TemporaryFolder folder;
+  Mesh mesh = sample_mesh(2);
+  mesh.label_names = {{1, "wall"}, {2, "gate"}, {3, "wall"}};
+  mesh.region_names = {{7, "wall"}, {8, "wall"}};
+  write_msh(folder / "a.msh", mesh, {});
+  const std::string text = content_of(folder / "a.msh");
+  const auto count = [&text](const std::string& name) {
+    int found = 0;
+    for (auto i = text.find(name); i != std::string::npos; i = text.find(name, i + 1)) ++found;
+    return found;
+  };
+  CHECK(count("1 1 \"wall\"") == 1);
+  CHECK(count("\"wall\"") == 2);  // lines, and triangles
+  const Mesh read = read_msh(folder / "a.msh").mesh;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    CHECK(parmesan::label_name(read.label_names, read.labels[e]) ==
+          parmesan::label_name(mesh.label_names, mesh.labels[e]));
+}
+
+TEST_CASE("Triangles of a Gmsh file that are turned one way and the other are told of", "[mesher][io][msh]") {
+  const auto read = [](const std::string& first, const std::string& second) {
+    return parse_msh_text(format_2 + "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n2\n" +
+                          "1 2 2 5 1 " + first + "\n2 2 2 5 1 " + second + "\n$EndElements\n");
+  };
+  CHECK(read("1 2 3", "1 3 4").mesh_notes.empty());
+  CHECK(read("1 3 2", "1 4 3").mesh_notes.empty());  // seen from below
+  const std::vector<std::string> notes = read("1 2 3", "1 4 3").mesh_notes;
+  REQUIRE(notes.size() == 1);
+  CHECK(notes.front() == "turned 1 of 2 triangles, which are clockwise, others not; the first is triangle 2");
+}
