@@ -12,6 +12,7 @@
 #include "mesher/geometry/point_finder.h"
 #include "mesher/index.h"
 #include "mesher/mesh_sides.h"
+#include "mesher/seams.h"
 
 namespace parmesan {
 namespace {
@@ -152,36 +153,57 @@ std::vector<int> numbers_by_place(const Mesh& mesh) {
   return numbers;
 }
 
-/// The edges with new numbers; two in opposite directions become one, the first.
-void close_edges(const Mesh& open, ClosedMesh& result) {
+/// The pairs of edges in opposite directions that lie on each other, once ends at one place are one.
+std::vector<std::array<std::size_t, 2>> pairs_of_edges(const Mesh& open, const std::vector<int>& vertices) {
   std::vector<std::tuple<int, int, std::size_t>> order;  // lower end, higher end, edge
   for (std::size_t e = 0; e < open.edges.size(); ++e) {
-    const auto [low, high] = std::minmax(result.vertices[at(open.edges[e][0])], result.vertices[at(open.edges[e][1])]);
+    const auto [low, high] = std::minmax(vertices[at(open.edges[e][0])], vertices[at(open.edges[e][1])]);
     order.emplace_back(low, high, e);
   }
   std::sort(order.begin(), order.end());
-  std::vector<std::optional<std::size_t>> other_side(open.edges.size());
-  std::vector<bool> is_dropped(open.edges.size(), false);
-  const auto start = [&](std::size_t e) { return result.vertices[at(open.edges[e][0])]; };
+  const auto start = [&](std::size_t e) { return vertices[at(open.edges[e][0])]; };
   const auto are_two_sides = [&](std::size_t e, std::size_t f) {
     return start(e) != start(f) && open.edges[e] != std::array{open.edges[f][1], open.edges[f][0]};
   };
+  std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 1; i < order.size(); ++i) {
     const auto& [low, high, e] = order[i];
     const auto& [low_before, high_before, before] = order[i - 1];
-    if (low != low_before || high != high_before || is_dropped[before] || !are_two_sides(e, before)) continue;
-    other_side[before] = e;
-    is_dropped[e] = true;
+    const bool is_taken = !pairs.empty() && pairs.back()[1] == before;
+    if (low != low_before || high != high_before || is_taken || !are_two_sides(e, before)) continue;
+    pairs.push_back({before, e});
   }
+  return pairs;
+}
+
+/// The edges with new numbers; of pairs the first, and none of a seam, unless it is required.
+void close_edges(const Mesh& open, ClosedMesh& result) {
   std::vector<bool> is_required(open.edges.size(), false);
   for (const int e : open.required.edges) is_required[at(e)] = true;
+  std::vector<std::optional<int>> right_labels(open.edges.size());
+  std::vector<bool> is_dropped(open.edges.size(), false);
+  const auto ends = [&](std::size_t e) {
+    return std::array{result.vertices[at(open.edges[e][0])], result.vertices[at(open.edges[e][1])]};
+  };
+  const std::vector<std::array<std::size_t, 2>> pairs = pairs_of_edges(open, result.vertices);
+  const std::vector<bool> is_seam = are_seams(open, pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [first, second] = pairs[i];
+    if (is_required[second]) is_required[first] = true;
+    is_dropped[second] = true;
+    if (is_seam[i]) {
+      result.seams.push_back(ends(first));
+      is_dropped[first] = !is_required[first];
+    } else {
+      right_labels[first] = open.labels[second];
+    }
+  }
   for (std::size_t e = 0; e < open.edges.size(); ++e) {
     if (is_dropped[e]) continue;
-    if (is_required[e] || (other_side[e] && is_required[*other_side[e]]))
-      result.mesh.required.edges.push_back(result.mesh.num_edges());
-    result.mesh.edges.push_back({start(e), result.vertices[at(open.edges[e][1])]});
+    if (is_required[e]) result.mesh.required.edges.push_back(result.mesh.num_edges());
+    result.mesh.edges.push_back(ends(e));
     result.mesh.labels.push_back(open.labels[e]);
-    result.right_labels.push_back(other_side[e] ? std::optional(open.labels[*other_side[e]]) : std::nullopt);
+    result.right_labels.push_back(right_labels[e]);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -42,13 +43,15 @@ struct ClosedMesh {
   Mesh mesh;
   std::vector<std::optional<int>> right_labels;  // of each edge, as open_cracks takes them
   std::vector<int> vertices;                     // what each vertex of the open mesh has become
+  std::vector<std::array<int, 2>> seams;         // pairs of sides along which parts were joined, see are_seams
 };
 
 /// Do two ends of edges lie at one place? Cost: O(n), and a sort of these ends.
 bool has_cracks(const Mesh& mesh);
 
 /// Undoes open_cracks, whoever made the mesh: vertices of edges that lie at one place become one, pairs of edges in
-/// opposite directions one crack. Triangles keep their order. Cost: as has_cracks.
+/// opposite directions one crack, or none where they are a seam (are_seams). Triangles keep their order. Cost: as
+/// has_cracks, and O(n log n) where there are pairs without a label.
 ClosedMesh close_cracks(const Mesh& mesh);
 
 }  // namespace parmesan

@@ -8,6 +8,7 @@
 
 #include "mesher/cracks.h"
 #include "mesher/disjoint_sets.h"
+#include "mesher/doubled_sides.h"
 #include "mesher/geometry/hole_seeds.h"
 #include "mesher/geometry/rounding.h"
 #include "mesher/index.h"
@@ -220,9 +221,10 @@ void compact_points(const std::vector<Point>& points, Domain* domain) {
 }  // namespace
 
 Domain domain_of(const Mesh& open) {
-  const auto [mesh, right_labels, vertices] = close_cracks(open);
+  const ClosedMesh closed = close_cracks(open);
+  const Mesh& mesh = closed.mesh;
   const std::vector<MeshSide> sides = sides_of(mesh);
-  const std::vector<Constraint> constraints = constraints_of(mesh, sides, right_labels);
+  const std::vector<Constraint> constraints = constraints_of(mesh, sides, closed.right_labels);
   std::vector<std::array<int, 2>> boundary;
   for (const Constraint& c : constraints) {
     if (c.is_boundary) boundary.push_back({c.a, c.b});
@@ -235,6 +237,7 @@ Domain domain_of(const Mesh& open) {
   domain.regions = region_seeds(mesh, sides);
   domain.label_names = mesh.label_names;
   domain.region_names = mesh.region_names;
+  domain.notes = notes_on_doubled_sides(closed);
   return domain;
 }
 

@@ -5,12 +5,15 @@
 #include <string>
 
 #include "adapt/number_text.h"
+#include "mesher/cracks.h"
+#include "mesher/doubled_sides.h"
 #include "mesher/half_edges.h"
 #include "mesher/io/medit.h"
 #include "mesher/io/mesh_file.h"
 #include "mesher/quality.h"
 #include "tools/cli/commands.h"
 #include "tools/cli/common_options.h"
+#include "tools/cli/exit_code.h"
 #include "tools/cli/histogram_text.h"
 #include "tools/cli/naming_file.h"
 #include "tools/cli/results.h"
@@ -44,6 +47,8 @@ std::vector<double> length_bounds(const Assessment& assessment) {
 Assessment assess(const QualityArguments& arguments) {
   Assessment result;
   result.mesh = naming_file(arguments.mesh, [&arguments] { return read_valid_mesh(arguments.mesh); });
+  if (has_cracks(result.mesh))
+    for (const std::string& note : notes_on_doubled_sides(close_cracks(result.mesh))) print_warning(note);
   result.boundary_edges = num_boundary_sides(result.mesh);
   result.in_metric = !arguments.metric.empty();
   result.quality = result.in_metric

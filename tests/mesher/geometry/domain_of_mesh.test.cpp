@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "mesher/geometry/clean.h"
@@ -206,4 +207,67 @@ TEST_CASE("the domain of a mesh is clean", "[mesher][domain]") {
   CHECK(cleaned.repairs.empty());
   CHECK(cleaned.domain.segments.size() == domain.segments.size());
   CHECK(oracle::problems_of_cover(mesh, domain).empty());
+}
+
+namespace {
+
+/// The unit square in two halves with vertices of their own where they meet. label: of the sides there, none for 0.
+Mesh halves(int label_left, int label_right) {
+  Mesh mesh = support::rectangle_mesh(2, 4, {0, 0}, {0.5, 1});
+  const Mesh right = support::rectangle_mesh(2, 4, {0.5, 0}, {1, 1});
+  const int n = mesh.num_vertices();
+  mesh.points.insert(mesh.points.end(), right.points.begin(), right.points.end());
+  for (const auto& [a, b, c] : right.triangles) mesh.triangles.push_back({a + n, b + n, c + n});
+  mesh.regions.assign(mesh.triangles.size(), 0);
+  for (const auto& [a, b] : right.edges) mesh.edges.push_back({a + n, b + n});
+  mesh.labels.assign(mesh.edges.size(), 1);
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto& [a, b] = mesh.edges[e];
+    const auto x = [&mesh](int v) { return mesh.points[static_cast<std::size_t>(v)].x; };
+    if (x(a) == 0.5 && x(b) == 0.5) mesh.labels[e] = a < n ? label_left : label_right;
+  }
+  return mesh;
+}
+
+int num_segments_between(const Domain& domain, double x) {
+  return static_cast<int>(std::ranges::count_if(domain.segments, [&](const Segment& s) {
+    const auto is_there = [&](int p) { return domain.points[static_cast<std::size_t>(p)].x == x; };
+    return is_there(s.a) && is_there(s.b);
+  }));
+}
+
+}  // namespace
+
+TEST_CASE("domain_of joins parts with doubled vertices where neither side has a label, and says so",
+          "[mesher][domain]") {
+  const Domain domain = domain_of(halves(0, 0));
+  CHECK(num_segments_between(domain, 0.5) == 0);
+  CHECK(domain.holes.empty());
+  REQUIRE(domain.notes.size() == 1);
+  CHECK_THAT(domain.notes.front(),
+             Catch::Contains("4 pairs of sides without a label, the first from (0.5, 0) to (0.5, 0.25)") &&
+                 Catch::Contains("joined"));
+  CHECK(clean(domain).repairs == domain.notes);
+  CHECK(domain_of(support::rectangle_mesh(2, 2)).notes.empty());
+}
+
+TEST_CASE("domain_of keeps the border of regions that it joins", "[mesher][domain]") {
+  Mesh mesh = halves(0, 0);
+  for (std::size_t t = mesh.regions.size() / 2; t < mesh.regions.size(); ++t) mesh.regions[t] = 1;
+  const Domain domain = domain_of(mesh);
+  REQUIRE(num_segments_between(domain, 0.5) == 1);
+  for (const Segment& s : domain.segments) CHECK_FALSE(s.label_right.has_value());
+  CHECK(domain.regions.size() == 1);
+}
+
+TEST_CASE("domain_of takes doubled sides for a crack where one of them has a label", "[mesher][domain]") {
+  for (const auto& [left, right] : {std::pair{7, 8}, std::pair{7, 0}, std::pair{0, 8}, std::pair{7, 7}}) {
+    const Domain domain = domain_of(halves(left, right));
+    CHECK(num_segments_between(domain, 0.5) == 1);
+    const auto crack =
+        std::ranges::find_if(domain.segments, [](const Segment& s) { return s.label_right.has_value(); });
+    REQUIRE(crack != domain.segments.end());
+    CHECK(std::set{crack->label, *crack->label_right} == std::set{left, right});
+    CHECK(domain.notes.empty());
+  }
 }
