@@ -19,6 +19,7 @@
 #include "mesher/index.h"
 #include "mesher/io/text.h"
 #include "mesher/mesh_sides.h"
+#include "mesher/number_text.h"
 
 namespace parmesan {
 namespace {
@@ -147,25 +148,35 @@ bool has_shared_sides(const Mesh& mesh) {
   });
 }
 
-/// The rings with points nearer than the tolerance as one, the first of them, and sides bent to points that are as
-/// near, before anything is told by them: what then runs together is a border. Returns what was merged and bent;
-/// nothing is without a tolerance.
-std::vector<std::string> merge_rings(std::vector<GeoFeature>& features, double tolerance) {
-  if (tolerance == 0.0) return {};
+/// All rings, each with its number as label.
+Domain numbered_rings(const std::vector<GeoFeature>& features) {
   Domain rings;
-  rings.merge_tolerance = tolerance;
   int number = 0;
   for_each_ring(features, [&](const GeoRing& ring) { append_ring(ring, number++, rings); });
+  return rings;
+}
+
+/// The rings with points nearer than the tolerance as one, the first of them, and sides bent to points that are as
+/// near, before anything is told by them: what then runs together is a border. Without a tolerance that is so for what
+/// rounding of the file's decimals puts apart. Returns what was merged and bent.
+std::vector<std::string> merge_rings(std::vector<GeoFeature>& features, double tolerance) {
+  Domain rings = numbered_rings(features);
   check_input(rings);
+  rings.merge_tolerance = std::max(tolerance, rounding_of(rings.points));
+  if (rings.merge_tolerance == 0.0) return {};
   const DomainRepair merged = merge_points(rings);
   auto side = merged.domain.segments.begin();  // in the order of the rings and along them, labelled by their numbers
-  number = 0;
+  int number = 0, num_changed = 0;
   for_each_ring(features, [&](GeoRing& ring) {
-    ring.clear();
+    const GeoRing before = std::exchange(ring, {});
     for (; side != merged.domain.segments.end() && side->label == number; ++side) ring.push_back(merged.point(side->a));
+    if (ring != before) ++num_changed;
     ++number;
   });
-  return merged.repairs;
+  if (tolerance > 0.0) return merged.repairs;
+  if (num_changed == 0) return {};
+  return {"put " + std::to_string(num_changed) + (num_changed == 1 ? " ring" : " rings") +
+          " to points beside, nearer than " + text(rings.merge_tolerance) + " as rounding leaves them"};
 }
 
 /// What the rings enclose, triangulated, each part with the feature that it is in or 0.
@@ -220,9 +231,11 @@ Domain domain_of_features(std::vector<GeoFeature> features, Crossings crossings,
 }  // namespace
 
 Domain parse_geojson(const std::string& text, const std::string& name, Crossings crossings, double merge_tolerance) {
-  std::vector<GeoFeature> features = parse_geojson_features(text, name);
-  return features.size() == 1 ? domain_of_one(features.front(), crossings, merge_tolerance)
-                              : domain_of_features(std::move(features), crossings, merge_tolerance);
+  GeoFeatures read = parse_geojson_features(text, name);
+  Domain domain = read.features.size() == 1 ? domain_of_one(read.features.front(), crossings, merge_tolerance)
+                                            : domain_of_features(std::move(read.features), crossings, merge_tolerance);
+  if (!read.left_out.empty()) domain.notes.insert(domain.notes.begin(), "left out what has no area: " + read.left_out);
+  return domain;
 }
 
 Domain read_geojson(const std::string& path, Crossings crossings, double merge_tolerance) {

@@ -1,5 +1,8 @@
 #include "adapt/io/geojson_features.h"
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -15,10 +18,12 @@ class GeoJsonReader {
  public:
   GeoJsonReader(const std::string& text, const std::string& name) : text_(text), name_(name) {}
 
-  std::vector<GeoFeature> read() {
+  GeoFeatures read() {
     read_object(parse(), "", {});
-    if (features_.empty()) throw FileError(name_, 0, "has no polygons");
-    return std::move(features_);
+    const std::string left_out = left_out_text();
+    if (features_.empty())
+      throw FileError(name_, 0, "has no polygons" + (left_out.empty() ? "" : ", only " + left_out));
+    return {std::move(features_), left_out};
   }
 
  private:
@@ -79,9 +84,23 @@ class GeoJsonReader {
       features_of(feature).push_back(read_polygon(member(object, "coordinates", pointer), pointer + "/coordinates"));
     } else if (type == "MultiPolygon") {
       read_multi_polygon(member(object, "coordinates", pointer), pointer + "/coordinates", feature);
+    } else if (!pointer.empty() && is_without_area(type)) {
+      ++left_out_[type.get<std::string>()];
     } else {
       refuse(pointer + "/type", "must be Polygon, MultiPolygon, GeometryCollection, Feature or FeatureCollection");
     }
+  }
+
+  static bool is_without_area(const Json& type) {
+    constexpr std::array types{"Point", "MultiPoint", "LineString", "MultiLineString"};
+    return std::ranges::any_of(types, [&type](const char* one) { return type == one; });
+  }
+
+  std::string left_out_text() const {
+    std::string list;
+    for (const auto& [type, count] : left_out_)
+      list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + type + (count == 1 ? "" : "s");
+    return list;
   }
 
   void read_list(const Json& list, const std::string& pointer, const std::string& feature) {
@@ -141,11 +160,12 @@ class GeoJsonReader {
   const std::string& name_;
   std::vector<GeoFeature> features_;
   bool begins_feature_ = false;
+  std::map<std::string, int> left_out_;  // how many of each type
 };
 
 }  // namespace
 
-std::vector<GeoFeature> parse_geojson_features(const std::string& text, const std::string& name) {
+GeoFeatures parse_geojson_features(const std::string& text, const std::string& name) {
   return GeoJsonReader(text, name).read();
 }
 

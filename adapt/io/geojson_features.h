@@ -24,7 +24,13 @@ struct GeoFeature {
   std::vector<GeoPolygon> polygons;
 };
 
+/// What a text has.
+struct GeoFeatures {
+  std::vector<GeoFeature> features;  // those with polygons
+  std::string left_out;              // points and lines: "1 LineString, 2 Points"
+};
+
 /// All features with polygons in a GeoJSON text. Errors: as parse_geojson.
-std::vector<GeoFeature> parse_geojson_features(const std::string& text, const std::string& name);
+GeoFeatures parse_geojson_features(const std::string& text, const std::string& name);
 
 }  // namespace parmesan

@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesher/delaunay_mesh.h"
@@ -239,4 +241,71 @@ TEST_CASE("Faults of a GeoJSON text are refused with line and pointer", "[adapt]
   CHECK_THROWS_AS(
       parse(collection(feature("a", polygon(square)) + "," + feature("b", polygon("[[2,2],[6,2],[6,6],[2,6],[2,2]]")))),
       parmesan::GeometryError);
+}
+
+TEST_CASE("Neighbours that rounding puts apart have a border, without a tolerance too", "[adapt][io][geojson]") {
+  constexpr double offset = 5e6;
+  for (int i = 0; i < 40; ++i) {
+    const double angle = 0.04 * i;
+    const auto place = [&](double u, double v) {
+      std::ostringstream text;
+      text.precision(17);
+      text << "[" << offset + std::cos(angle) * u - std::sin(angle) * v << ","
+           << offset + std::sin(angle) * u + std::cos(angle) * v << "]";
+      return text.str();
+    };
+    const auto ring = [&place](const std::vector<std::pair<double, double>>& corners) {
+      std::string text = "[";
+      for (const auto& [u, v] : corners) text += place(u, v) + ",";
+      return text + place(corners.front().first, corners.front().second) + "]";
+    };
+    const std::string left = feature("a", polygon(ring({{0, 0}, {1, 0}, {1, 0.1}, {1, 0.7}, {1, 1}, {0, 1}})));
+    const std::string right = feature("b", polygon(ring({{1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0.9}, {1, 0.3}})));
+    INFO(angle);
+    const Domain domain = parse(collection(left + "," + right));
+    const Mesh mesh = delaunay_mesh(domain).mesh;
+    CHECK(area_within(mesh, 1) == Approx(1.0).epsilon(1e-7));
+    CHECK(area_within(mesh, 2) == Approx(1.0).epsilon(1e-7));
+    std::map<std::string, double> lengths;
+    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+      const auto end = [&](std::size_t k) { return mesh.points[static_cast<std::size_t>(mesh.edges[e][k])]; };
+      lengths[parmesan::label_name(mesh.label_names, mesh.labels[e])] +=
+          std::hypot(end(1).x - end(0).x, end(1).y - end(0).y);
+    }
+    CHECK(lengths["a"] == Approx(3.0).epsilon(1e-7));
+    CHECK(lengths["b"] == Approx(3.0).epsilon(1e-7));
+    CHECK(lengths["a|b"] == Approx(1.0).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("It is said where rounding was taken back, and not where nothing was", "[adapt][io][geojson]") {
+  const std::string left = feature("a", polygon("[[0,0],[1,0],[1,1],[0,1],[0,0]]"));
+  const std::string fits = feature("b", polygon("[[1,0],[2,0],[2,1],[1,1],[1,0]]"));
+  CHECK(parse(collection(left + "," + fits)).notes.empty());
+  const std::string is_apart =
+      feature("b", polygon("[[1.0000000000000002,0],[2,0],[2,1],[1,1],[1.0000000000000002,0]]"));
+  const std::vector<std::string> notes = parse(collection(left + "," + is_apart)).notes;
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes.front(), Catch::Contains("put 1 ring"));
+}
+
+TEST_CASE("Points and lines beside polygons are left out, which is told", "[adapt][io][geojson]") {
+  const std::string point = feature("well", R"({"type":"Point","coordinates":[0,0]})");
+  const std::string line = feature("road", R"({"type":"LineString","coordinates":[[0,0],[1,1]]})");
+  const std::string lines = feature("roads", R"({"type":"MultiLineString","coordinates":[[[0,0],[1,1]]]})");
+  const std::string lake = feature("lake", polygon(square));
+  const Domain domain = parse(collection(point + "," + lake + "," + line + "," + point + "," + lines));
+  CHECK(domain.region_names == parmesan::LabelNames{{0, "lake"}});
+  REQUIRE(domain.notes.size() == 1);
+  CHECK(domain.notes.front() == "left out what has no area: 1 LineString, 1 MultiLineString, 2 Points");
+  CHECK(area_within(delaunay_mesh(domain).mesh) == Approx(16.0).epsilon(1e-14));
+  const std::string mixed =
+      R"({"type":"GeometryCollection","geometries":[{"type":"MultiPoint","coordinates":[]},)" + polygon(square) + "]}";
+  CHECK(parse(feature("a", mixed)).notes == std::vector<std::string>{"left out what has no area: 1 MultiPoint"});
+  const std::string far = feature("far", polygon("[[5,0],[6,0],[6,1],[5,1],[5,0]]"));
+  CHECK(parse(collection(lake + "," + far + "," + point)).notes ==
+        std::vector<std::string>{"left out what has no area: 1 Point"});
+  CHECK_THROWS_WITH(parse(collection(point + "," + line)), Catch::Contains("has no polygons"));
+  CHECK_THROWS_WITH(parse(collection(lake + "," + feature("", R"({"type":"Circle"})"))),
+                    Catch::Contains("/features/1/geometry/type must be Polygon"));
 }
