@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fem/coefficients.h"
+#include "fem/contradicting_data.h"
 #include "fem/p1.h"
 #include "fem/side_integrals.h"
 #include "fem/stabilization.h"
@@ -124,8 +125,9 @@ std::vector<int> singular_vertices(const SmoothParts& parts, const Problem& prob
   const double scale = add_given_values(mesh, problem, sides, corners);
   add_lines(mesh, problem, sides, corners);
   add_angles(parts, problem, corners);
-  std::vector<char> is_singular(corners.size());
-  for (std::size_t v = 0; v < corners.size(); ++v) is_singular[v] = corners[v].is_singular(scale) ? 1 : 0;
+  std::vector<char> is_singular = contradicting_data(mesh, problem, sides);
+  for (std::size_t v = 0; v < corners.size(); ++v)
+    if (corners[v].is_singular(scale)) is_singular[v] = 1;
   if (problem.velocity) leave_advected(mesh, problem, is_singular);
   std::vector<int> singular;
   for (std::size_t v = 0; v < corners.size(); ++v)

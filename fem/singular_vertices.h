@@ -10,7 +10,8 @@ namespace parmesan {
 
 /// The vertices of the whole mesh, ascending, where the gradient of the solution may grow beyond all bounds: corners of
 /// the boundary of more than 207 degrees, ends of cracks among them; where given values jump, or end at a corner of
-/// more than 99 degrees; where a line across which the gradient jumps ends, branches or turns by more than 30 degrees.
+/// more than 99 degrees; where a line across which the gradient jumps ends, branches or turns by more than 30 degrees;
+/// and where the data of two sides ask for different gradients (contradicting_data.h).
 /// Not where the mesh Peclet number of a triangle exceeds 1: there diffusion does not yet count.
 ///
 /// Angles are those in the metric K^-1, where K grad u is a gradient: what a tensor K stretches is a corner of another

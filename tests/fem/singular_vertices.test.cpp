@@ -159,4 +159,75 @@ TEST_CASE("a tensor makes corners wider and narrower", "[fem][singular]") {
   CHECK(singular_points(rectangle_mesh(4, 4), problem) == (degrees > 99 ? wide : std::vector<Point>{}));
 }
 
+TEST_CASE("where the data of two sides ask for different gradients is singular", "[fem][singular]") {
+  constexpr int left_half = 9;
+  Mesh mesh = rectangle_mesh(4, 2, {-1, 0}, {1, 1});
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
+    if (mesh.labels[e] == Bottom && mesh.points[static_cast<std::size_t>(mesh.edges[e][0])].x < 0)
+      mesh.labels[e] = left_half;
+  Problem problem = unit_poisson();
+  const BoundaryData rising = [](const Point& p, const Vector&, int) { return 1.0 + p.x + p.y; };
+  set_all(problem, dirichlet(rising));
+  const std::vector<Point> middle{{0, 0}}, none{};
+  SECTION("fluxes that jump within a straight side") {
+    const double jump = GENERATE(0.0, 1e-2, 3.0);
+    set_all(problem, neumann(constant(0.5)));
+    problem.boundary[Bottom] = neumann(constant(0.5));
+    problem.boundary[left_half] = neumann(constant(0.5 + jump));
+    CHECK(singular_points(mesh, problem) == (jump > 0.0 ? middle : none));
+  }
+  SECTION("one flux that jumps by its expression") {
+    set_all(problem, neumann(constant(0.5)));
+    problem.boundary[Bottom] = problem.boundary[left_half] =
+        neumann([](const Point& p, const Vector&, int) { return p.x < 0.0 ? 1.0 : 0.0; });
+    CHECK(singular_points(mesh, problem) == middle);
+  }
+  SECTION("a Robin condition that ends within a straight side") {
+    const double coefficient = GENERATE(0.0, 2.0);
+    set_all(problem, robin(constant(2), constant(1)));
+    problem.boundary[left_half] = robin(constant(2), constant(1));
+    problem.boundary[Bottom] = robin(constant(2.0 - coefficient), constant(1));
+    CHECK(singular_points(mesh, problem) == (coefficient > 0.0 ? middle : none));
+  }
+  SECTION("given values that bend within a straight side") {
+    const double bend = GENERATE(0.0, 1e-2, 3.0);
+    problem.boundary[left_half] =
+        dirichlet([bend](const Point& p, const Vector&, int) { return 1.0 + p.x + p.y + bend * p.x * (1.0 + p.x); });
+    CHECK(singular_points(mesh, problem) == (bend > 0.0 ? middle : none));
+  }
+  SECTION("a flux through a side at right angles to one whose given values say another") {
+    const double flux = GENERATE(-1.0, 2.0);  // the first is that of the values
+    problem.boundary[left_half] = dirichlet(rising);
+    problem.boundary[Left] = neumann(constant(flux));
+    CHECK(singular_points(mesh, problem) == (flux == -1.0 ? none : std::vector<Point>{{-1, 0}, {-1, 1}}));
+  }
+}
+
+TEST_CASE("data of one smooth solution contradict each other nowhere", "[fem][singular]") {
+  const BoundaryData value = [](const Point& p, const Vector&, int) { return Wave::value(p); };
+  const BoundaryData flux = [](const Point& p, const Vector& n, int) { return dot(n, Wave::gradient(p)); };
+  const BoundaryData both = [=](const Point& p, const Vector& n, int region) {
+    return flux(p, n, region) + 3.0 * value(p, n, region);
+  };
+  const BoundaryCondition conditions[] = {dirichlet(value), neumann(flux), robin(constant(3), both)};
+  Problem problem = unit_poisson();
+  problem.boundary[Bottom] = conditions[GENERATE(0, 1, 2)];
+  problem.boundary[Right] = conditions[GENERATE(0, 1, 2)];
+  problem.boundary[Top] = conditions[GENERATE(0, 1, 2)];
+  problem.boundary[Left] = conditions[GENERATE(0, 1, 2)];
+  CHECK(singular_points(rectangle_mesh(5, 4), problem).empty());
+  // On 48 chords of a circle.
+  Mesh disc;
+  disc.points = {{0, 0}};
+  for (int k = 0; k < 48; ++k) {
+    const double angle = 2.0 * std::acos(-1.0) * k / 48;
+    disc.points.push_back({std::cos(angle), std::sin(angle)});
+    disc.triangles.push_back({0, 1 + k, 1 + (k + 1) % 48});
+    disc.regions.push_back(1);
+    disc.edges.push_back({1 + k, 1 + (k + 1) % 48});
+    disc.labels.push_back(Bottom);
+  }
+  CHECK(singular_points(disc, problem).empty());
+}
+
 }  // namespace parmesan
