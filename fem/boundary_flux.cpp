@@ -6,21 +6,52 @@
 #include "fem/coefficients.h"
 #include "fem/p1.h"
 #include "fem/side_integrals.h"
+#include "mesher/index.h"
 
 namespace parmesan {
 
 namespace {
 
-/// n.K grad u_h in the triangle at the middle of the side, of interior constraints from both sides.
-double element_flux(const Mesh& mesh, const Problem& problem, const Side& side, std::span<const double> values) {
-  const Point middle = midpoint(mesh.points[static_cast<std::size_t>(side.from)],  //
-                                mesh.points[static_cast<std::size_t>(side.to)]);
+/// The gradient of u at points of a side, in a triangle beside it.
+class GradientAlong {
+ public:
+  GradientAlong(const Mesh& mesh, const Side& side, int triangle, std::span<const double> values,
+                std::span<const Surplus> surplus)
+      : element_(p1_element(mesh, triangle)),
+        linear_(p1_gradient(element_, at_corners(mesh, at(triangle), values))),
+        quadratic_(surplus.empty() ? Surplus{} : surplus[at(triangle)]),
+        apex_(apex_of(mesh, side, triangle)) {}
+
+  Vector operator()(const Point& x) const {
+    const std::size_t a = (apex_ + 1) % 3, b = (apex_ + 2) % 3;
+    const Vector edge = element_.p[b] - element_.p[a];
+    Barycentric lambda{};
+    lambda[b] = dot(x - element_.p[a], edge) / squared_norm(edge);
+    lambda[a] = 1.0 - lambda[b];
+    return linear_ + quadratic_.gradient(element_, lambda);
+  }
+
+ private:
+  P1Element element_;
+  Vector linear_;
+  Quadratic quadratic_;
+  std::size_t apex_;
+};
+
+/// The moments of n.K grad u in the triangle, of interior constraints from both sides. K is that at each point: it may
+/// grow many times over along a side.
+SideMoments element_flux(const Mesh& mesh, const Problem& problem, const Side& side, std::span<const double> values,
+                         std::span<const Surplus> surplus) {
   const auto out_of = [&](int triangle, int region) {
-    const std::array<double, 3> u = at_corners(mesh, static_cast<std::size_t>(triangle), values);
-    return dot(side.normal, diffusion_at(problem, middle, region) * p1_gradient(p1_element(mesh, triangle), u));
+    const GradientAlong gradient(mesh, side, triangle, values, surplus);
+    return side_moments(mesh, side, [&problem, &gradient, region](const Point& x, const Vector& normal, int) {
+      return dot(normal, diffusion_at(problem, x, region) * gradient(x));
+    });
   };
-  const double flux = out_of(side.triangle, side.region);
-  return side.interior ? flux - out_of(side.other_triangle, side.other_region) : flux;
+  const SideMoments flux = out_of(side.triangle, side.region);
+  if (!side.interior) return flux;
+  const SideMoments other = out_of(side.other_triangle, side.other_region);
+  return {flux.from - other.from, flux.to - other.to, flux.magnitude + other.magnitude};
 }
 
 /// What the source's own flux adds to the residuals of a Dirichlet side, NaN where it is not finite: data may be
@@ -60,7 +91,7 @@ std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, 
                                       std::span<const double> residual, std::span<const double> values,
                                       std::span<const Surplus> surplus) {
   std::map<int, double> fluxes;
-  std::map<int, VertexFlux> at;
+  std::map<int, VertexFlux> shared;
   std::vector<const Side*> dirichlet;
   for (const Side& side : sides) {
     const BoundaryCondition* condition = condition_on(problem, side);
@@ -71,23 +102,35 @@ std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, 
       continue;
     }
     dirichlet.push_back(&side);
-    const double in_element = side.length * element_flux(mesh, problem, side, values);
-    flux += in_element;
+    const SideMoments in_element = element_flux(mesh, problem, side, values, surplus);
+    flux += in_element.from + in_element.to;
     const SideMoments own = own_flux(mesh, problem, side);
     const auto add = [&](int v, double moment) {
-      VertexFlux& vertex = at.try_emplace(v, VertexFlux{residual[static_cast<std::size_t>(v)], 0.0}).first->second;
-      vertex.remainder += moment - 0.5 * in_element;
+      VertexFlux& vertex = shared.try_emplace(v, VertexFlux{residual[at(v)], 0.0}).first->second;
+      vertex.remainder += moment;
       vertex.length += side.length;
     };
-    add(side.from, own.from);
-    add(side.to, own.to);
+    add(side.from, own.from - in_element.from);
+    add(side.to, own.to - in_element.to);
   }
   for (const Side* side : dirichlet) {
     for (const int v : {side->from, side->to}) {
-      fluxes[side->label] += at.at(v).remainder * side->length / at.at(v).length;
+      fluxes[side->label] += shared.at(v).remainder * side->length / shared.at(v).length;
     }
   }
   return fluxes;
+}
+
+bool shares_residuals(const Problem& problem, const std::vector<Side>& sides, const std::set<int>& labels) {
+  std::map<int, bool> is_inside;  // whether the first side at a vertex has one of the labels
+  for (const Side& side : sides) {
+    const BoundaryCondition* condition = condition_on(problem, side);
+    if (!condition || condition->kind != BoundaryKind::Dirichlet) continue;
+    const bool inside = labels.contains(side.label);
+    for (const int v : {side.from, side.to})
+      if (is_inside.try_emplace(v, inside).first->second != inside) return true;
+  }
+  return false;
 }
 
 }  // namespace parmesan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <span>
 
 #include "fem/problem.h"
@@ -14,7 +15,7 @@ namespace parmesan {
 /// Neumann: the integral of the datum; Robin: of value - coefficient u. Dirichlet: the sum of the residuals
 /// r of its vertices, the flux that the discrete equations are in balance with (Carey, Chow & Seager, CMAME
 /// 50 (1985) 107): it converges like the error of u, not like that of its gradient. Where two Dirichlet labels meet, r
-/// is shared as the gradients in the elements say, the rest in proportion to the sides' lengths. Summed over all
+/// is shared as K and the gradients in the elements say, the rest in proportion to the sides' lengths. Summed over all
 /// labels,
 ///
 ///     sum of fluxes = int (b.grad u + c u - f)    to round-off.
@@ -25,5 +26,9 @@ namespace parmesan {
 std::map<int, double> boundary_fluxes(const Mesh& mesh, const Problem& problem, const std::vector<Side>& sides,
                                       std::span<const double> residual, std::span<const double> values,
                                       std::span<const Surplus> surplus = {});
+
+/// Whether sides with these labels share residuals with others: Dirichlet sides of both meet at a vertex. Their flux is
+/// then not a sum of residuals, and a dual solution knows nothing of how they are shared. Cost: O(sides).
+bool shares_residuals(const Problem& problem, const std::vector<Side>& sides, const std::set<int>& labels);
 
 }  // namespace parmesan

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "fem/discrete_problem.h"
+#include "fem/galerkin_error.h"
 #include "fem/p1.h"
 #include "fem/solve.h"
 #include "tests/fem/manufactured.h"
@@ -94,6 +96,48 @@ TEST_CASE("fluxes, source and transport are in balance on any mesh, SUPG or not"
 TEST_CASE("the flux through a Dirichlet side converges with order 2", "[fem][flux]") {
   const double order = std::log2(flux_error(16) / flux_error(64)) / 2;
   CHECK(order > 1.7);
+}
+
+namespace {
+
+/// K grows by e^10 from left to right.
+double varying_solution(const Point& p) { return std::exp(-10 * p.x) * (1 + p.y * p.y) + p.y; }
+Problem varying_diffusion() {
+  Problem problem;
+  problem.diffusion = [](const Point& p, int) { return std::exp(10 * p.x) * identity_tensor; };
+  problem.source = [](const Point&, int) { return -2.0; };
+  problem.boundary = dirichlet_everywhere(varying_solution);
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("fluxes between sides with given values and their errors are known where K varies", "[fem][flux][goal]") {
+  // K u_x = -10 (1 + y^2) on the left and on the right; K u_y = 2 + exp(10 x) on the top.
+  const auto [label, exact, tolerance] = GENERATE(table<int, double, double>(
+      {{Right, -40.0 / 3, 0.15}, {Left, 40.0 / 3, 0.15}, {Top, 2 + (std::exp(10.0) - 1) / 10, 0.25}}));
+  const Problem problem = varying_diffusion();
+  const Mesh mesh = GENERATE(false, true) ? bent_square(24) : random_square(24, 0.24, 3);
+  DiscreteProblem discrete(mesh, problem);
+  const Solution solution = solve(discrete);
+  const double error = exact - solution.fluxes.at(label);
+  CAPTURE(label, error);
+  CHECK(std::abs(error) < 0.3);  // 15 on the top by K in the middles of sides
+  GoalFunctional goal;
+  goal.fluxes = {label};
+  const ErrorEstimate estimate = estimate_error(discrete, solution);
+  CHECK(functional_error(discrete, goal, solution, *estimate.field) == Approx(error).epsilon(tolerance));
+}
+
+TEST_CASE("sides share residuals where they meet and both have given values", "[fem][flux]") {
+  const std::vector<Side> sides = labelled_sides(rectangle_mesh(2, 2));
+  Problem problem = unit_poisson();
+  CHECK(shares_residuals(problem, sides, {Right}));
+  CHECK_FALSE(shares_residuals(problem, sides, {Bottom, Right, Top, Left}));
+  CHECK_FALSE(shares_residuals(problem, sides, {}));
+  problem.boundary[Top] = problem.boundary[Bottom] = neumann({});
+  CHECK_FALSE(shares_residuals(problem, sides, {Right}));
+  CHECK_FALSE(shares_residuals(problem, sides, {Top}));
 }
 
 TEST_CASE("the flux into an interior constraint comes from both sides", "[fem][flux]") {
