@@ -15,7 +15,8 @@ namespace {
 
 constexpr double orbit_factor = 50.0;  // a difference of the two orbits of this many tolerances calls for subdivision
 constexpr int max_depth = 10;
-constexpr std::size_t max_parts = 100'000;  // of one level; a source that is noise asks for any number
+constexpr std::size_t max_parts = 100'000;       // of one level; a source that is noise asks for any number
+constexpr std::size_t max_rough_parts = 25'000;  // the same where the roughest are chosen
 
 /// A part of a triangle and what was sampled there.
 struct SampledPart {
@@ -79,12 +80,27 @@ void add(const SourceMoments& part, SourceMoments& sum) {
   for (std::size_t i = 0; i < 3; ++i) sum[i] += part[i];
 }
 
+/// Leaves open as many parts, those whose points differ most; the others are what was sampled there.
+void keep_roughest(std::size_t number, std::vector<SampledPart>& open, std::vector<SourceMoments>& result) {
+  std::ranges::stable_sort(open, std::ranges::greater{}, [](const SampledPart& part) {
+    return std::max(part.sample.spread, part.sample.corner_spread);
+  });
+  for (std::size_t k = number; k < open.size(); ++k) add(open[k].sample.moments, result[open[k].triangle]);
+  open.resize(number);
+}
+
 /// Subdivides until children confirm their parents: to the local tolerance of their own magnitude, or to the global
 /// one, which halves with each level because a layer meets twice as many parts. result: the moments of the triangles
 /// that are not open; returned with all.
 std::vector<SourceMoments> refine(const Mesh& mesh, const Problem& problem, std::vector<SampledPart> open,
                                   const LoadTolerance& tolerance, std::vector<SourceMoments> result) {
-  for (int depth = 1; depth <= max_depth && 4 * open.size() <= max_parts + result.size(); ++depth) {
+  const bool chooses = tolerance.sees_corners();
+  const std::size_t most = ((chooses ? max_rough_parts : max_parts) + result.size()) / 4;  // of parents
+  for (int depth = 1; depth <= max_depth && !open.empty(); ++depth) {
+    if (open.size() > most) {
+      if (!chooses) break;
+      keep_roughest(most, open, result);
+    }
     const std::vector<SampledPart> parents = std::exchange(open, {});
     std::vector<Children> families(parents.size());
     for_each_in_parallel(parents.size(), [&](std::size_t k) {

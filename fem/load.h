@@ -22,7 +22,9 @@ inline constexpr LoadAccuracy accurate_load{1e-5, 3};
 /// Degree 4 first. A triangle on which the two point orbits of that rule differ, or that shares an edge
 /// with one (with min_depth, a vertex), is subdivided 1:4 until parent and children agree, at most 10 times, and as
 /// long as a level has at most 100 000 parts and one per triangle more: steep sources are integrated well on coarse
-/// meshes. Errors: ProblemError where the source is not finite.
+/// meshes. With min_depth a level has at most 25 000 parts and one per triangle more: those are subdivided whose points
+/// differ most.
+/// Errors: ProblemError where the source is not finite.
 std::vector<SourceMoments> source_moments(const Mesh& mesh, const Problem& problem, const LoadAccuracy& accuracy = {});
 
 }  // namespace parmesan

@@ -44,6 +44,18 @@ TEST_CASE("a weight that is 1 on a disc gives the integral over the disc", "[fem
   }
 }
 
+TEST_CASE("a weight that jumps within long triangles is integrated as well as within others", "[fem][functional]") {
+  // Triangles 0.07 long along the diagonal and 1/400 wide: so many are cut that there is a bound on their parts.
+  Mesh mesh = rectangle_mesh(20, 400);
+  for (Point& p : mesh.points) p.y += p.x;
+  const std::vector<double> ones(mesh.points.size(), 1.0), u = interpolate(mesh, [](const Point&p) { return p.x; });
+  for (const double place : {0.437, 0.5123, 0.731}) {
+    const Functional right = region_integral(mesh, [place](const Point& p, int) { return p.x > place ? 1.0 : 0.0; });
+    CHECK(value_of(right, ones) == Approx(1.0 - place).epsilon(2e-4));
+    CHECK(value_of(right, u) == Approx((1.0 - place * place) / 2.0).epsilon(2e-4));
+  }
+}
+
 TEST_CASE("no triangle that the side of a disc cuts between its points is missed", "[fem][functional][slow]") {
   constexpr double radius = 0.3;
   const Mesh mesh = random_square(10, 0.24, 15);
