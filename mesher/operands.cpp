@@ -98,10 +98,17 @@ bool split_at_near_points(Operands& operands, double tolerance) {
   return true;
 }
 
+/// What was rounded apart comes together.
+void settle(Operands& operands) {
+  constexpr int max_rounds = 100;
+  const double tolerance = rounding_of(operands.all.points);
+  merge_near_points(operands.all, tolerance);
+  for (int round = 0; round < max_rounds && split_at_near_points(operands, tolerance); ++round) continue;
+}
+
 }  // namespace
 
 Operands gather(std::span<const Domain> domains) {
-  constexpr int max_rounds = 100;
   Operands operands;
   for (const Domain& domain : domains) {
     if (domain.segments.empty()) {
@@ -110,10 +117,7 @@ Operands gather(std::span<const Domain> domains) {
       add(operands, clean(domain).domain);
     }
   }
-  if (operands.all.points.empty()) return operands;
-  const double tolerance = rounding_of(operands.all.points);
-  merge_near_points(operands.all, tolerance);
-  for (int round = 0; round < max_rounds && split_at_near_points(operands, tolerance); ++round) continue;
+  if (!operands.all.points.empty()) settle(operands);
   return operands;
 }
 
@@ -139,6 +143,7 @@ Operands with_chords(const Operands& operands, std::span<const char> is_replaced
       result.is_border.push_back(operands.is_border[s]);
     }
   }
+  settle(result);
   return result;
 }
 

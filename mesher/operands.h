@@ -23,7 +23,8 @@ struct Operands {
 /// Cost: O(n log n) expected.
 Operands gather(std::span<const Domain> domains);
 
-/// The same with chords in place of the curves of some segments, off by 1e-4 of a curve's extent at most.
+/// The same with chords in place of the curves of some segments, off by 1e-4 of a curve's extent at most. Their points
+/// come together as others do.
 Operands with_chords(const Operands& operands, std::span<const char> is_replaced);
 
 }  // namespace parmesan

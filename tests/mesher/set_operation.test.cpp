@@ -410,6 +410,27 @@ TEST_CASE("Rings, balls between them and discs that touch in one point have thei
   }
 }
 
+TEST_CASE("Chords in place of curves have no points that rounding keeps off them", "[mesher][sets]") {
+  // Circles of two sizes about a point that they touch in: chords of one angle lie on one another from there.
+  const double turn = GENERATE(0.0, 0.1, 0.7, 1.3);
+  const Vector out{std::cos(turn), std::sin(turn)};
+  const auto touching = [&](double radius, int label) {
+    Domain domain;
+    support::add_closed_curve(domain, circular_arc(Point{1, 1} - radius * out, radius, turn, turn + 2.0 * pi), label);
+    return domain;
+  };
+  const Operands gathered = gather(std::vector<Domain>{touching(0.75, 1), touching(0.5, 2), touching(0.3, 3)});
+  const Domain chords = with_chords(gathered, std::vector<char>(gathered.all.segments.size(), 1)).all;
+  REQUIRE(chords.segments.size() > 100);
+  for (const Segment& s : chords.segments) {
+    for (const Segment& t : chords.segments) {
+      if (s.a == t.a || s.a == t.b) continue;
+      const double off = distance(chords, t, chords.points[static_cast<std::size_t>(s.a)]);
+      if (off < 1e-14) CHECK(off >= 16.0 * 0x1p-52);
+    }
+  }
+}
+
 TEST_CASE("Curves that all but touch or run together have a result without errors", "[mesher][sets]") {
   for (const double off : {1e-14, 1e-10, 1e-6}) {
     const Domain strip = box(-3, -1, 3, 1, 1);
