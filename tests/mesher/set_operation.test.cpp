@@ -13,6 +13,7 @@
 #include "mesher/generate.h"
 #include "mesher/geometry/clean.h"
 #include "mesher/geometry/segment_path.h"
+#include "mesher/operands.h"
 #include "tests/oracle/mesh_checker.h"
 #include "tests/support/curved_domains.h"
 #include "tests/support/domains.h"
