@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "mesher/geometry/outline.h"
 #include "mesher/geometry/repair.h"
 #include "mesher/index.h"
+#include "mesher/number_text.h"
 #include "mesher/operands.h"
 #include "mesher/triangulation/face_walks.h"
 #include "mesher/triangulation/faces.h"
@@ -270,17 +272,28 @@ bool is_fit(const Result& result) {
 
 Domain combine(SetOperation operation, std::span<const Domain> domains) {
   Operands operands = gather(domains);
+  std::vector<std::string> notes;
+  for (const Domain& domain : domains) notes.insert(notes.end(), domain.notes.begin(), domain.notes.end());
+  const auto put_chords = [&](const std::vector<int>& segments, const std::string& why) {
+    const std::vector<char> replaced = curved(operands, segments);
+    const auto count = std::ranges::count(replaced, char{1});
+    operands = with_chords(operands, replaced);
+    notes.push_back("put chords, off by 1e-4 of it at most, in place of " + std::to_string(count) +
+                    (count == 1 ? " curve" : " curves") + why);
+  };
   while (!operands.all.segments.empty()) {
     DomainRepair subdivision = subdivide_without_seeds(operands.all);
     if (const auto conflict = find_outline(subdivision.domain).conflict) {
-      const std::vector<int> segments{subdivision.source_segment(conflict->first),
-                                      subdivision.source_segment(conflict->second)};
-      operands = with_chords(operands, curved(operands, segments));
+      put_chords({subdivision.source_segment(conflict->first), subdivision.source_segment(conflict->second)},
+                 " that cannot be told from others near " + rounded_text(conflict->place));
       continue;
     }
     Result result = Arrangement(operation, operands, std::move(subdivision)).result();
-    if (is_fit(result)) return std::move(result.domain);
-    operands = with_chords(operands, curved(operands, {}));
+    if (is_fit(result)) {
+      result.domain.notes = std::move(notes);
+      return std::move(result.domain);
+    }
+    put_chords({}, ", of which some are too near to each other");
   }
   return {};
 }

@@ -20,8 +20,8 @@ enum class SetOperation {
 /// piece of a region is in it: of the first domain that has one there. What has none is in that of what no segment
 /// parts from it. Points keep their coordinates, but for those within 16 ulp of the largest coordinate of an earlier
 /// one. Curves stay curves, split where they cross or touch others; those that run along others without being the same
-/// become chains of chords, off by 1e-4 of their extent at most. What only touches in a point or along an edge has no
-/// common area, and their union no seam.
+/// become chains of chords, off by 1e-4 of their extent at most, with a note. What only touches in a point or along an
+/// edge has no common area, and their union no seam.
 ///
 /// The segments of all of them are split at their crossings; in the faces between, who is inside follows by counting
 /// the boundaries crossed on the way from infinity: no point is ever tested against a polygon.

@@ -432,6 +432,18 @@ TEST_CASE("Chords in place of curves have no points that rounding keeps off them
   }
 }
 
+TEST_CASE("Discs that cover each other but for rounding stay round, or a note says so", "[mesher][sets]") {
+  for (const double off : {0.0, 1e-16}) {
+    for (const Vector& way : {Vector{1, 0}, Vector{0.6, 0.8}}) {
+      CAPTURE(off, way.x);
+      const Domain both =
+          of_two(SetOperation::Union, disc_at({0, 0}, 1.0, 1), disc_at({off * way.x, off * way.y}, 1.0, 2));
+      CHECK(area(both) == Approx(pi).epsilon(1e-3));
+      CHECK(both.notes.empty() == std::ranges::none_of(both.segments, &Segment::is_straight));
+    }
+  }
+}
+
 TEST_CASE("Curves that all but touch or run together have a result without errors", "[mesher][sets]") {
   for (const double off : {1e-14, 1e-10, 1e-6}) {
     const Domain strip = box(-3, -1, 3, 1, 1);
