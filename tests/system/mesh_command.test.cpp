@@ -508,3 +508,44 @@ TEST_CASE("a seed is said to be idle where no random numbers are drawn", "[syste
   CHECK_THAT(said("fast"), Catch::Contains("--seed has no effect"));
   CHECK(said("thesis").find("--seed") == std::string::npos);
 }
+
+TEST_CASE("a file that is read is not written over, and no output is written twice", "[system][mesh][errors]") {
+  const TemporaryFolder folder;
+  folder.write("square.poly", square_poly);
+  const std::string before = content_of(folder / "square.poly");
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& problem) {
+    const ProgramResult result = run_program(arguments, folder.path());
+    CHECK(result.exit_code == 2);
+    CHECK_THAT(result.err, Catch::Contains(problem));
+  };
+  refused({"mesh", "square.poly", "--size", "0.3", "-o", "square.poly"},
+          "square.poly is read and would be written over");
+  refused({"mesh", "square.poly", "--size", "0.3", "-o", "./square.poly"}, "is read and would be written over");
+  refused({"mesh", "square.poly", "--size", "0.3", "-o", "a.mesh", "-o", "./a.mesh"}, "a.mesh is named twice");
+  refused({"mesh", "square.poly", "--size", "0.3", "-o", "a.svg", "--voronoi", "a.svg"}, "a.svg is named twice");
+  refused({"convert", "square.poly", "square.poly"}, "square.poly is read and would be written over");
+  CHECK(content_of(folder / "square.poly") == before);
+  CHECK_FALSE(std::filesystem::exists(folder / "a.mesh"));
+  REQUIRE(run_program({"mesh", "square.poly", "--size", "0.3", "-o", "a.mesh"}, folder.path()).exit_code == 0);
+  refused({"mesh", "square.poly", "--size", "0.2", "--from", "a.mesh", "-o", "a.mesh"}, "is read and would be");
+  CHECK(run_program({"mesh", "square.poly", "--size", "0.2", "-o", "a.mesh"}, folder.path()).exit_code == 0);
+}
+
+TEST_CASE("mesh and quality tell of parts with doubled vertices along a side without a label", "[system][mesh]") {
+  const TemporaryFolder folder;
+  folder.write(
+      "a.mesh",
+      "MeshVersionFormatted 2\nDimension 2\nVertices 8\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n"
+      "Edges 2\n4 1 1\n6 7 2\nTriangles 4\n1 2 3 0\n1 3 4 0\n5 6 7 0\n5 7 8 0\nEnd\n");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"quality", "a.mesh"}, {"mesh", "a.mesh", "--size", "0.3", "-o", "b.mesh"}}) {
+    const ProgramResult result = run_program(command, folder.path());
+    CHECK(result.exit_code == 0);
+    CHECK_THAT(result.err, Catch::Contains("1 pair of sides without a label, from (1, 0) to (1, 1)"));
+  }
+  const parmesan::Mesh made = parmesan::read_medit(folder / "b.mesh");
+  CHECK(parmesan::oracle::area_of(made) == Approx(2.0));
+  std::set<std::pair<double, double>> places;
+  for (const parmesan::Point& p : made.points) places.emplace(p.x, p.y);
+  CHECK(places.size() == made.points.size());
+}

@@ -18,6 +18,7 @@
 #include "tools/cli/common_options.h"
 #include "tools/cli/domain_input.h"
 #include "tools/cli/naming_file.h"
+#include "tools/cli/output_names.h"
 #include "tools/cli/results.h"
 
 namespace parmesan {
@@ -108,8 +109,9 @@ ExitCode convert(const ConvertArguments& arguments) {
   warn_of_idle_seed(arguments.common);
   check_output(arguments.out);
   if (!is_field(arguments)) check_any_mesh_name(arguments.out);
-  if (const std::string idle = idle_option(arguments); !idle.empty()) {
-    print_error(idle);
+  for (const std::string& problem : {clash_of_names({arguments.in}, {arguments.out}), idle_option(arguments)}) {
+    if (problem.empty()) continue;
+    print_error(problem);
     return ExitCode::Usage;
   }
   naming_file(arguments.in, [&] {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "adapt/idle_options.h"
 #include "adapt/io/any_mesh.h"
@@ -28,6 +29,7 @@
 #include "tools/cli/domain_input.h"
 #include "tools/cli/mesh_inputs.h"
 #include "tools/cli/naming_file.h"
+#include "tools/cli/output_names.h"
 #include "tools/cli/particle_options.h"
 #include "tools/cli/results.h"
 
@@ -117,9 +119,19 @@ std::string option_name(const std::string& pointer) {
   return name;
 }
 
-// Options that cannot be together, or need another. Empty: none.
+/// Of names of files among each other. Empty: none.
+std::string clash(const MeshArguments& arguments) {
+  const MeshInputOptions& inputs = arguments.inputs;
+  std::vector<std::string> outputs = arguments.outputs;
+  outputs.insert(outputs.end(), arguments.voronoi.begin(), arguments.voronoi.end());
+  return clash_of_names(
+      {arguments.geometry, inputs.background, inputs.metric, inputs.indicator, inputs.hessian, inputs.from}, outputs);
+}
+
+// Options or names that cannot be together, or need another. Empty: none.
 std::string contradiction(const MeshArguments& arguments) {
   const MeshInputOptions& inputs = arguments.inputs;
+  if (std::string problem = clash(arguments); !problem.empty()) return problem;
   if (!inputs.background.empty() && inputs.metric.empty() && inputs.indicator.empty())
     return "--background requires --metric or --indicator";
   const std::vector<IdleOption> idle = idle_options(arguments.mesher);
