@@ -119,13 +119,11 @@ std::string option_name(const std::string& pointer) {
   return name;
 }
 
-/// Of names of files among each other. Empty: none.
+/// Of names of files among each other. Empty: none. A previous mesh and its metric may give way to the next.
 std::string clash(const MeshArguments& arguments) {
-  const MeshInputOptions& inputs = arguments.inputs;
   std::vector<std::string> outputs = arguments.outputs;
   outputs.insert(outputs.end(), arguments.voronoi.begin(), arguments.voronoi.end());
-  return clash_of_names(
-      {arguments.geometry, inputs.background, inputs.metric, inputs.indicator, inputs.hessian, inputs.from}, outputs);
+  return clash_of_names({arguments.geometry}, outputs);
 }
 
 // Options or names that cannot be together, or need another. Empty: none.
