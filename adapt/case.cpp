@@ -124,9 +124,10 @@ void keep_places_at_curves(Case& result) {
     source.place = keep_place_at_curves(result.domain, source.place);
 }
 
-/// Inner lines with a condition of their own keep it where they lie on a side.
+/// Inner lines with a condition of their own keep it where they lie on a side; cracks, which have two, do not.
 void let_conditions_override(const std::vector<int>& inner_labels, Case& result) {
   for (Segment& segment : result.domain.segments) {
+    if (segment.label_right) continue;
     const auto condition = result.problem.boundary.find(segment.label);
     const bool has_own = condition != result.problem.boundary.end() && condition->second.on_constraints;
     if (has_own && std::ranges::find(inner_labels, segment.label) != inner_labels.end()) segment.overrides = true;
