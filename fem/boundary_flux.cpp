@@ -19,7 +19,7 @@ class GradientAlong {
                 std::span<const Surplus> surplus)
       : element_(p1_element(mesh, triangle)),
         linear_(p1_gradient(element_, at_corners(mesh, at(triangle), values))),
-        quadratic_(surplus.empty() ? Surplus{} : surplus[at(triangle)]),
+        quadratic_{surplus.empty() ? Surplus{} : surplus[at(triangle)]},
         apex_(apex_of(mesh, side, triangle)) {}
 
   Vector operator()(const Point& x) const {
